@@ -10,8 +10,8 @@ namespace unietp {
 namespace {
 
 template <class Row>
-Counted count(const std::vector<Row>& rows) {
-  Counted counted;
+FactCounts count(const std::vector<Row>& rows) {
+  FactCounts counted;
   for (const Row& row : rows) counted.add(row.source);
   return counted;
 }
@@ -29,7 +29,7 @@ std::vector<std::string> categories_where(const Knowledge& knowledge, const Test
 
 std::string kind_of(const Source& source) { return source.source.substr(0, source.source.find(':')); }
 
-void Counted::add(const Source& source) {
+void FactCounts::add(const Source& source) {
   ++facts;
   confidence_sum += source.confidence;
   ++by_kind[kind_of(source)];
@@ -39,7 +39,7 @@ void Counted::add(const Source& source) {
 Coverage coverage_of(const Knowledge& knowledge) {
   Coverage coverage;
   coverage.categories = knowledge.categories().size();
-  Counted sizes, masses;
+  FactCounts sizes, masses;
   for (const auto& c : knowledge.categories()) {
     sizes.add(c.size_source);
     masses.add(c.mass_source);
@@ -52,7 +52,7 @@ Coverage coverage_of(const Knowledge& knowledge) {
                      {"effect", count(knowledge.effects())},
                      {"alias", count(knowledge.aliases())},
                      {"asset", count(knowledge.assets())}};
-  for (const auto& name : affordance_names()) coverage.affordances.emplace_back(name, Counted{});
+  for (const auto& name : affordance_names()) coverage.affordances.emplace_back(name, FactCounts{});
   for (const auto& fact : knowledge.affordances()) {
     for (auto& [name, counted] : coverage.affordances) {
       if (name == fact.affordance) counted.add(fact.source);

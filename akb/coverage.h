@@ -13,7 +13,7 @@ namespace unietp {
 std::string kind_of(const Source& source);
 
 /// How many facts there are, from where, and how sure they are.
-struct Counted {
+struct FactCounts {
   std::size_t facts = 0;
   double confidence_sum = 0;
   std::map<std::string, std::size_t> by_kind, by_source;  // facts by kind_of and by whole source
@@ -27,8 +27,8 @@ struct Counted {
 struct Coverage {
   std::size_t categories = 0;
   /// The table names, and `size` and `mass`, which have sources of their own.
-  std::vector<std::pair<std::string, Counted>> tables;
-  std::vector<std::pair<std::string, Counted>> affordances;  // every affordance, in the order of affordance_names
+  std::vector<std::pair<std::string, FactCounts>> tables;
+  std::vector<std::pair<std::string, FactCounts>> affordances;  // every affordance, in the order of affordance_names
   /// `synset`, `rooms`, `placements`, `aliases`, and the names of the categories without any.
   std::vector<std::pair<std::string, std::vector<std::string>>> missing;
 };

@@ -5,28 +5,8 @@
 
 #include "akb/row_reader.h"
 #include "akb/table_words.h"
-#include "core/files.h"
 
 namespace unietp {
-namespace {
-
-/// Calls `read` for each row of a file. Errors are appended.
-template <class Read>
-void each_row(const std::filesystem::path& path, const std::vector<std::string>& columns, std::vector<Error>& errors,
-              const Read& read) {
-  const auto text = read_file(path);
-  if (!text) {
-    errors.push_back(text.error());
-    return;
-  }
-  RowReader row(path.string(), *text, columns, errors);
-  for (const auto& cells : row.rows()) {
-    row.at(cells);
-    read(row);
-  }
-}
-
-}  // namespace
 
 std::vector<PlacementRule> read_placement_rules(const std::filesystem::path& curated, std::vector<Error>& errors) {
   std::map<std::pair<Predicate, std::string>, std::vector<std::string>> also;  // by relation and receptacle

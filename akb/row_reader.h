@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -8,6 +9,7 @@
 #include "akb/csv.h"
 #include "akb/name_table.h"
 #include "akb/rows.h"
+#include "core/files.h"
 
 namespace unietp {
 
@@ -63,5 +65,21 @@ class RowReader {
   const CsvRow* row_ = nullptr;
   bool sound_ = true;
 };
+
+/// Calls `read` with a reader at each row of a file. Errors, also of a file that cannot be read, are appended.
+template <class Read>
+void each_row(const std::filesystem::path& path, const std::vector<std::string>& columns, std::vector<Error>& errors,
+              const Read& read) {
+  const auto text = read_file(path);
+  if (!text) {
+    errors.push_back(text.error());
+    return;
+  }
+  RowReader row(path.string(), *text, columns, errors);
+  for (const auto& cells : row.rows()) {
+    row.at(cells);
+    read(row);
+  }
+}
 
 }  // namespace unietp

@@ -1,38 +1,9 @@
 #include "akb/table_words.h"
 
-#include <array>
-
 #include "akb/rows.h"
 
 namespace unietp {
 namespace {
-
-constexpr std::array<AffordanceMeaning, 24> kAffordances = {{
-    {"burnable", "can be burnt"},
-    {"breakable", "can be broken"},
-    {"consumable", "can be used up"},
-    {"container", "objects go into it"},
-    {"cookable", "can be cooked"},
-    {"coverable", "a substance can be spread on it"},
-    {"dirtyable", "can be dirty, and cleaned"},
-    {"drain", "what is poured into it is lost"},
-    {"fillable", "can hold a liquid"},
-    {"foldable", "can be folded"},
-    {"freezable", "can be frozen"},
-    {"heatable", "can be hot or cold"},
-    {"heat_source", "makes other objects hot"},
-    {"cold_source", "makes other objects cold"},
-    {"lieable", "the agent can lie on it"},
-    {"openable", "can be opened and closed"},
-    {"pickupable", "the agent can carry it"},
-    {"pluggable", "can be plugged in"},
-    {"readable", "the agent can read it"},
-    {"receptacle", "objects stand on it"},
-    {"sittable", "the agent can sit on it"},
-    {"sliceable", "can be cut into slices"},
-    {"soakable", "can be soaked, as cloths and sponges are"},
-    {"switchable", "can be switched on and off"},
-}};
 
 template <class Values, class NameOf>
 std::vector<std::string> names_by(const Values& values, const NameOf& name_of) {
@@ -43,10 +14,8 @@ std::vector<std::string> names_by(const Values& values, const NameOf& name_of) {
 
 }  // namespace
 
-std::span<const AffordanceMeaning> affordance_meanings() { return kAffordances; }
-
 const std::vector<std::string>& affordance_names() {
-  static const auto names = names_by(kAffordances, [](const AffordanceMeaning& row) { return row.name; });
+  static const auto names = names_by(all_affordances(), [](const AffordanceInfo& row) { return row.name; });
   return names;
 }
 

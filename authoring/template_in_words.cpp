@@ -115,8 +115,8 @@ std::string start_in_words(const Formula& start) {
 std::string parameter_in_words(const Parameter& parameter) {
   std::vector<std::string> says;
   for (const auto& word : parameter.affordances) {
-    for (const auto& known : affordance_meanings()) {
-      if (known.name == word) says.emplace_back(known.says);
+    for (const auto& known : all_affordances()) {
+      if (known.name == word) says.emplace_back(known.meaning);
     }
     for (const auto& known : pseudo_affordance_meanings()) {
       if (known.word == word) says.emplace_back(known.says);

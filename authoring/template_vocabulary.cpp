@@ -75,8 +75,9 @@ VocabularyGroup simulators() {
 
 VocabularyGroup affordances() {
   VocabularyGroup group{"affordances", "Affordances", "In (parameters (A - ...)): requirements on a category.", {}, {}};
-  for (const auto& affordance : affordance_meanings()) {
-    group.words.push_back({std::string(affordance.name), std::string(affordance.name), std::string(affordance.says)});
+  for (const auto& affordance : all_affordances()) {
+    group.words.push_back(
+        {std::string(affordance.name), std::string(affordance.name), std::string(affordance.meaning)});
   }
   group.groups.push_back({"kinds",
                           "Kinds of category",

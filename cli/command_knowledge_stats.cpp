@@ -25,7 +25,7 @@ double share(std::size_t part, std::size_t whole) {
 }
 
 /// "metadata 80 %, derived 20 %"
-std::string kinds_text(const Counted& counted) {
+std::string kinds_text(const FactCounts& counted) {
   std::vector<std::string> parts;
   for (const auto& [kind, facts] : counted.by_kind) {
     char text[64];
@@ -66,7 +66,7 @@ void print_coverage(std::string_view simulator, const Coverage& coverage) {
   std::printf("\n");
 }
 
-Json counted_json(const Counted& counted) {
+Json counted_json(const FactCounts& counted) {
   return {{"facts", counted.facts},
           {"confidence", counted.mean_confidence()},
           {"by_kind", counted.by_kind},

@@ -4,11 +4,10 @@
 #include <cstddef>
 #include <initializer_list>
 #include <iterator>
-#include <memory>
 #include <utility>
 #include <vector>
 
-#include "core/sole_owner.h"
+#include "core/shared_value.h"
 #include "core/sort_unique.h"
 
 namespace unietp {
@@ -17,8 +16,8 @@ namespace unietp {
 /// pointer for about 50 elements; a change copies about as many elements. Copies may belong to different threads.
 template <class T>
 class SharedSet {
-  static constexpr std::size_t kPiece = 96;       // at most, then it is cut in two
-  using Piece = std::shared_ptr<std::vector<T>>;  // never empty; changed only while one set has it
+  static constexpr std::size_t kPiece = 96;   // at most, then it is cut in two
+  using Piece = SharedValue<std::vector<T>>;  // always given, never empty
 
  public:
   class Place;
@@ -34,8 +33,7 @@ class SharedSet {
     for (std::size_t from = 0; from < size_; from += kPiece / 2) {
       const auto first = elements.begin() + static_cast<std::ptrdiff_t>(from);
       const auto last = elements.begin() + static_cast<std::ptrdiff_t>(std::min(size_, from + kPiece / 2));
-      pieces_.push_back(
-          std::make_shared<std::vector<T>>(std::make_move_iterator(first), std::make_move_iterator(last)));
+      pieces_.push_back(std::vector<T>(std::make_move_iterator(first), std::make_move_iterator(last)));
     }
   }
   SharedSet(std::initializer_list<T> elements) : SharedSet(std::vector<T>(elements)) {}
@@ -49,11 +47,12 @@ class SharedSet {
   /// after it.
   template <class Before>
   Place partition_point(const Before& before) const {
-    const auto piece =
-        std::partition_point(pieces_.begin(), pieces_.end(), [&](const Piece& one) { return before(one->back()); });
+    const auto piece = std::partition_point(pieces_.begin(), pieces_.end(),
+                                            [&](const Piece& one) { return before(one.given().back()); });
     if (piece == pieces_.end()) return end();
-    const auto at = std::partition_point((*piece)->begin(), (*piece)->end(), before);
-    return {pieces_.data() + (piece - pieces_.begin()), static_cast<std::size_t>(at - (*piece)->begin())};
+    const std::vector<T>& here = piece->given();
+    const auto at = std::partition_point(here.begin(), here.end(), before);
+    return {pieces_.data() + (piece - pieces_.begin()), static_cast<std::size_t>(at - here.begin())};
   }
   bool contains(const T& element) const {
     const Place at = partition_point([&](const T& one) { return one < element; });
@@ -64,17 +63,17 @@ class SharedSet {
   bool insert(T element) {
     auto piece = piece_for(element);
     if (piece == pieces_.end()) {
-      if (pieces_.empty()) pieces_.push_back(std::make_shared<std::vector<T>>());
+      if (pieces_.empty()) pieces_.push_back(std::vector<T>());
       piece = pieces_.end() - 1;
     }
-    const auto at = std::lower_bound((*piece)->begin(), (*piece)->end(), element) - (*piece)->begin();
-    if (at < std::ssize(**piece) && (**piece)[static_cast<std::size_t>(at)] == element) return false;
-    std::vector<T>& here = own(*piece);
+    const auto at = place_in(*piece, element);
+    if (at < std::ssize(piece->given()) && piece->given()[static_cast<std::size_t>(at)] == element) return false;
+    std::vector<T>& here = piece->edit();
     here.insert(here.begin() + at, std::move(element));
     ++size_;
     if (here.size() > kPiece) {
       const auto half = here.begin() + static_cast<std::ptrdiff_t>(here.size() / 2);
-      auto later = std::make_shared<std::vector<T>>(std::make_move_iterator(half), std::make_move_iterator(here.end()));
+      std::vector<T> later(std::make_move_iterator(half), std::make_move_iterator(here.end()));
       here.erase(half, here.end());
       pieces_.insert(piece + 1, std::move(later));
     }
@@ -84,14 +83,14 @@ class SharedSet {
   bool erase(const T& element) {
     const auto piece = piece_for(element);
     if (piece == pieces_.end()) return false;
-    const auto at = std::lower_bound((*piece)->begin(), (*piece)->end(), element) - (*piece)->begin();
-    if ((**piece)[static_cast<std::size_t>(at)] != element) return false;
+    const auto at = place_in(*piece, element);
+    if (piece->given()[static_cast<std::size_t>(at)] != element) return false;
     --size_;
-    if ((*piece)->size() == 1) {
+    if (piece->given().size() == 1) {
       pieces_.erase(piece);
       return true;
     }
-    std::vector<T>& here = own(*piece);
+    std::vector<T>& here = piece->edit();
     here.erase(here.begin() + at);
     return true;
   }
@@ -107,7 +106,7 @@ class SharedSet {
     if (size_ != other.size_) return false;
     Place a = begin(), b = other.begin();
     while (a != end()) {
-      if (a.at_ == 0 && b.at_ == 0 && *a.piece_ == *b.piece_) {
+      if (a.at_ == 0 && b.at_ == 0 && a.piece_->is(*b.piece_)) {
         ++a.piece_;
         ++b.piece_;
       } else if (*a == *b) {
@@ -123,11 +122,11 @@ class SharedSet {
  private:
   auto piece_for(const T& element) {
     return std::partition_point(pieces_.begin(), pieces_.end(),
-                                [&](const Piece& one) { return one->back() < element; });
+                                [&](const Piece& one) { return one.given().back() < element; });
   }
-  static std::vector<T>& own(Piece& piece) {
-    if (!is_sole_owner(piece)) piece = std::make_shared<std::vector<T>>(*piece);
-    return *piece;
+  static std::ptrdiff_t place_in(const Piece& piece, const T& element) {
+    const std::vector<T>& here = piece.given();
+    return std::lower_bound(here.begin(), here.end(), element) - here.begin();
   }
 
   std::vector<Piece> pieces_;
@@ -146,14 +145,14 @@ class SharedSet<T>::Place {
 
   Place() = default;
   Place(const Piece* piece, std::size_t at) : piece_(piece), at_(at) {}
-  reference operator*() const { return (**piece_)[at_]; }
+  reference operator*() const { return piece_->given()[at_]; }
   pointer operator->() const { return &**this; }
   Place& operator++() {
-    if (++at_ == (*piece_)->size()) *this = {piece_ + 1, 0};
+    if (++at_ == piece_->given().size()) *this = {piece_ + 1, 0};
     return *this;
   }
   Place& operator--() {
-    if (at_ == 0) *this = {piece_ - 1, (*(piece_ - 1))->size()};
+    if (at_ == 0) *this = {piece_ - 1, (piece_ - 1)->given().size()};
     --at_;
     return *this;
   }

@@ -71,8 +71,8 @@ class AnswerReader {
     if (expected_.empty()) expected_ = std::move(what);
   }
 
-  SaidAction action(const Json& json) {
-    SaidAction said;
+  AnsweredAction action(const Json& json) {
+    AnsweredAction said;
     const Json* name = field(json, {"action", "action_name"});
     if (name == nullptr || !name->is_string() || !is_label(name->get_ref<const std::string&>())) {
       expect(kWanted);
@@ -105,7 +105,7 @@ class AnswerReader {
            std::all_of(json.begin(), json.end(), [](const Json& one) { return one.is_number(); });
   }
 
-  void argument(SaidAction& said, const Json& json) {
+  void argument(AnsweredAction& said, const Json& json) {
     if (json.is_string()) return id(said, json);
     if (is_numbers(json, 4)) return box(said, json);
     if (is_numbers(json, 2)) return point(said, json);
@@ -115,7 +115,7 @@ class AnswerReader {
   }
 
   /// {"object_id": …} and the like, of which one has a value.
-  void named_arguments(SaidAction& said, const Json& json) {
+  void named_arguments(AnsweredAction& said, const Json& json) {
     int given = 0;
     for (const auto& [name, value] : json.items()) {
       if (value.is_null()) continue;
@@ -133,7 +133,7 @@ class AnswerReader {
     }
   }
 
-  void id(SaidAction& said, const Json& json) {
+  void id(AnsweredAction& said, const Json& json) {
     if (!json.is_string() || !is_label(json.get_ref<const std::string&>()))
       return expect("expected an id of 1 to " + std::to_string(limits::kLabelBytes) + " bytes");
     said.command.args.push_back({json.get<std::string>(), std::nullopt});
@@ -151,7 +151,7 @@ class AnswerReader {
   }
   bool y_first() const { return frame_.form == BoxForm::ThousandYFirst; }
 
-  void box(SaidAction& said, const Json& json) {
+  void box(AnsweredAction& said, const Json& json) {
     if (!is_numbers(json, 4)) return expect("expected four numbers in \"bbox\"");
     const std::size_t x = y_first() ? 1 : 0, y = y_first() ? 0 : 1;
     const PixelBox box{pixel(json[x], frame_.width), pixel(json[y], frame_.height), pixel(json[x + 2], frame_.width),
@@ -159,7 +159,7 @@ class AnswerReader {
     said.command.args.push_back({"", box});
   }
 
-  void point(SaidAction& said, const Json& json) {
+  void point(AnsweredAction& said, const Json& json) {
     if (!is_numbers(json, 2)) return expect("expected two numbers in \"point\"");
     const std::size_t x = y_first() ? 1 : 0;
     said.point = {pixel(json[x], frame_.width), pixel(json[1 - x], frame_.height)};
@@ -236,7 +236,7 @@ std::optional<Answer> called(std::string_view text) {
     return std::nullopt;
   const auto type = action_named(action_name(name));
   if (!type) return std::nullopt;
-  SaidAction said{{std::string(info(*type).name), {}}, {}};
+  AnsweredAction said{{std::string(info(*type).name), {}}, {}};
   if (open != std::string_view::npos) {
     if (text.back() != ')') return std::nullopt;
     const std::string_view inside = trim(text.substr(open + 1, text.size() - open - 2));

@@ -18,16 +18,16 @@ struct PixelPoint {
 };
 
 /// One action of an answer.
-struct SaidAction {
+struct AnsweredAction {
   Command command;
   std::optional<PixelPoint> point;  // in place of an argument: what the picture shows there
-  bool operator==(const SaidAction&) const = default;
+  bool operator==(const AnsweredAction&) const = default;
 };
 
 /// What an agent answered.
 struct Answer {
-  std::vector<SaidAction> actions;  // at least one
-  std::string reasoning;            // "" when it gave none
+  std::vector<AnsweredAction> actions;  // at least one
+  std::string reasoning;                // "" when it gave none
   bool operator==(const Answer&) const = default;
 };
 

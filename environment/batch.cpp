@@ -48,15 +48,15 @@ struct EnvironmentBatch::Impl {
     }
   }
 
-  template <class Said>
-  Result<Done> step(std::span<const Said> said, const TakeStep& take) {
-    if (said.size() != members.size())
+  template <class Answered>
+  Result<Done> step(std::span<const Answered> answers, const TakeStep& take) {
+    if (answers.size() != members.size())
       return Error{Error::Kind::Usage,
                    "batch",
                    {},
-                   "expected " + std::to_string(members.size()) + " answers, not " + std::to_string(said.size())};
+                   "expected " + std::to_string(members.size()) + " answers, not " + std::to_string(answers.size())};
     return each([&](std::size_t i, Member& member) {
-      if (!member.environment->over()) return take(i, member.environment->step(said[i]));
+      if (!member.environment->over()) return take(i, member.environment->step(answers[i]));
       ++member.episode;
       begin(i, member);
       if (member.error) return;
@@ -66,10 +66,10 @@ struct EnvironmentBatch::Impl {
     });
   }
 
-  template <class Said>
-  Result<std::vector<StepResult>> results(std::span<const Said> said) {
+  template <class Answered>
+  Result<std::vector<StepResult>> results(std::span<const Answered> answers) {
     std::vector<StepResult> results(members.size());
-    const auto done = step(said, [&](std::size_t i, StepResult result) { results[i] = std::move(result); });
+    const auto done = step(answers, [&](std::size_t i, StepResult result) { results[i] = std::move(result); });
     if (!done) return done.error();
     return results;
   }
@@ -119,14 +119,14 @@ Result<std::vector<Observation>> EnvironmentBatch::reset() {
   return observations;
 }
 
-Result<std::vector<StepResult>> EnvironmentBatch::step(std::span<const std::string> said) {
-  return impl_->results(said);
+Result<std::vector<StepResult>> EnvironmentBatch::step(std::span<const std::string> answers) {
+  return impl_->results(answers);
 }
 Result<std::vector<StepResult>> EnvironmentBatch::step(std::span<const Answer> answers) {
   return impl_->results(answers);
 }
-Result<Done> EnvironmentBatch::step(std::span<const std::string> said, const TakeStep& take) {
-  return impl_->step(said, take);
+Result<Done> EnvironmentBatch::step(std::span<const std::string> answers, const TakeStep& take) {
+  return impl_->step(answers, take);
 }
 Result<Done> EnvironmentBatch::step(std::span<const Answer> answers, const TakeStep& take) {
   return impl_->step(answers, take);

@@ -42,11 +42,11 @@ class EnvironmentBatch {
   Result<std::vector<Observation>> reset();
   /// One answer for each environment, in their order.
   /// Errors: Usage when there are not as many answers as environments; those of `task_of` where an episode begins.
-  Result<std::vector<StepResult>> step(std::span<const std::string> said);
+  Result<std::vector<StepResult>> step(std::span<const std::string> answers);
   Result<std::vector<StepResult>> step(std::span<const Answer> answers);
   /// The same, with results handed over as they come, so that what is done with them is shared by the threads too.
   /// After an error some were not handed over.
-  Result<Done> step(std::span<const std::string> said, const TakeStep& take);
+  Result<Done> step(std::span<const std::string> answers, const TakeStep& take);
   Result<Done> step(std::span<const Answer> answers, const TakeStep& take);
   /// What each camera shows, made on the threads.
   std::vector<Picture> pictures() const;

@@ -3,9 +3,9 @@
 #include <utility>
 
 #include "core/limits.h"
+#include "environment/agent_information.h"
 #include "environment/agent_text.h"
 #include "environment/episode_state.h"
-#include "environment/told.h"
 #include "expert/execution.h"
 
 namespace unietp {
@@ -39,19 +39,19 @@ Result<Done> Environment::reset(SharedTask task) {
   return Done{};
 }
 
-StepResult Environment::step(std::string_view said) {
-  const auto answer = parse_answer(said, state_->frame());
+StepResult Environment::step(std::string_view text) {
+  const auto answer = parse_answer(text, state_->frame());
   if (answer) return step(*answer);
-  StepUnderWay step(*state_);
+  StepInProgress step(*state_);
   if (!over()) step.refuse(answer.error().message);
   return std::move(step).finish();
 }
 
 StepResult Environment::step(const Answer& answer) {
-  StepUnderWay step(*state_);
-  for (const SaidAction& said : answer.actions) {
+  StepInProgress step(*state_);
+  for (const AnsweredAction& action : answer.actions) {
     if (!step.goes_on()) break;
-    step.act(said);
+    step.act(action);
   }
   return std::move(step).finish();
 }
@@ -123,11 +123,11 @@ bool Environment::pictures(std::string_view id) const {
 std::optional<int> Environment::expert_steps_left() const {
   const EnvironmentTask& task = *state_->task;
   if (!state_->done || over()) return std::nullopt;
-  auto rehearsal = Rehearsal::of(task.goal, task.start, *task.data.knowledge, *task.data.profile, task.known);
-  if (!rehearsal) return std::nullopt;
+  auto executions = ExecutionTree::of(task.goal, task.start, *task.data.knowledge, *task.data.profile, task.known);
+  if (!executions) return std::nullopt;
   ExpertOptions options;
   options.max_steps += static_cast<int>(state_->done->size());
-  const auto plan = find_plan_from(*rehearsal, {*state_->done, {}, false}, options);
+  const auto plan = find_plan_from(*executions, {*state_->done, {}, false}, options);
   const auto* actions = std::get_if<std::vector<Action>>(&plan);
   return actions == nullptr ? std::nullopt : std::optional(static_cast<int>(actions->size()));
 }

@@ -43,9 +43,9 @@ class Environment {
 
   /// What the agent may know now.
   const Observation& observe() const;
-  /// Reads what an agent said and executes its actions, one after the other, until the episode is over; `on_fail` says
-  /// whether a list goes on after a failure. After the end nothing happens and the reward is 0.
-  StepResult step(std::string_view said);
+  /// Reads what an agent answered and executes its actions, one after the other, until the episode is over; `on_fail`
+  /// says whether a list goes on after a failure. After the end nothing happens and the reward is 0.
+  StepResult step(std::string_view text);
   /// The same for actions that are commands already; boxes in pixels.
   StepResult step(const Command& command);
   StepResult step(const std::vector<Command>& commands);

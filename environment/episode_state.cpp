@@ -3,7 +3,7 @@
 #include <array>
 #include <utility>
 
-#include "environment/told.h"
+#include "environment/agent_information.h"
 
 namespace unietp {
 namespace {
@@ -83,21 +83,21 @@ void EpisodeState::observe(std::vector<ActionReport> results) {
   o.over = end() != EpisodeEnd::None;
 }
 
-StepUnderWay::StepUnderWay(EpisodeState& state) : state_(state), was_over_(state.observation.over) {
+StepInProgress::StepInProgress(EpisodeState& state) : state_(state), was_over_(state.observation.over) {
   if (state.settings.reward == Reward::Progress) progress_before_ = state.monitor.progress();
 }
 
-bool StepUnderWay::goes_on() const {
+bool StepInProgress::goes_on() const {
   return state_.end() == EpisodeEnd::None && !(failed_ && state_.settings.on_fail == OnFail::Stop);
 }
 
 /// With the object that the picture shows at a point named as the rules want it.
-Command StepUnderWay::command_of(const SaidAction& said) {
-  Command command = said.command;
-  if (!said.point) return command;
+Command StepInProgress::command_of(const AnsweredAction& action) {
+  Command command = action.command;
+  if (!action.point) return command;
   const World& world = state_.episode.world();
   Argument argument{"", PixelBox{1, 1, 0, 0}};  // which holds no pixel
-  if (const Node* node = world.pictured_at(said.point->x, said.point->y, state_.rays)) {
+  if (const Node* node = world.pictured_at(action.point->x, action.point->y, state_.rays)) {
     for (const VisibleObject& object : world.pictured()) {
       if (object.id == node->id) argument.box = object.box;
     }
@@ -106,8 +106,8 @@ Command StepUnderWay::command_of(const SaidAction& said) {
   return command;
 }
 
-void StepUnderWay::act(const SaidAction& said) {
-  Command command = command_of(said);
+void StepInProgress::act(const AnsweredAction& action) {
+  Command command = command_of(action);
   ModeEpisode& episode = state_.episode;
   const int steps_before = episode.steps();
   const MomentId before = episode.world().moment();
@@ -125,12 +125,12 @@ void StepUnderWay::act(const SaidAction& said) {
   note(std::move(command), std::move(outcome), std::move(changes), steps_before);
 }
 
-void StepUnderWay::refuse(std::string_view expected) {
+void StepInProgress::refuse(std::string_view expected) {
   const int steps_before = state_.episode.steps();
   note({}, state_.episode.refuse(expected), {}, steps_before);
 }
 
-void StepUnderWay::note(Command command, Outcome outcome, Delta changes, int steps_before) {
+void StepInProgress::note(Command command, Outcome outcome, Delta changes, int steps_before) {
   ++state_.answered;
   failed_ = !outcome.success;
   reports_.push_back(report_of(command, outcome, state_.episode.world(), state_.settings, state_.frame()));
@@ -139,7 +139,7 @@ void StepUnderWay::note(Command command, Outcome outcome, Delta changes, int ste
   state_.episode.forget();
 }
 
-StepResult StepUnderWay::finish() && {
+StepResult StepInProgress::finish() && {
   if (!reports_.empty()) state_.observe(std::move(reports_));
   result_.observation = state_.observation;
   const EpisodeEnd end = state_.end();

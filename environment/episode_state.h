@@ -48,19 +48,19 @@ struct EpisodeState {
 };
 
 /// The actions of one answer, one after the other.
-class StepUnderWay {
+class StepInProgress {
  public:
-  explicit StepUnderWay(EpisodeState& state);
+  explicit StepInProgress(EpisodeState& state);
 
   /// Whether another action of the answer is to be executed.
   bool goes_on() const;
-  void act(const SaidAction& said);
+  void act(const AnsweredAction& action);
   /// An answer that is no action.
   void refuse(std::string_view expected);
   StepResult finish() &&;
 
  private:
-  Command command_of(const SaidAction& said);
+  Command command_of(const AnsweredAction& action);
   void note(Command command, Outcome outcome, Delta changes, int steps_before);
 
   EpisodeState& state_;

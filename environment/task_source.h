@@ -27,9 +27,11 @@ struct TaskListing {
 /// everything.
 class TaskSource {
  public:
-  /// How many prepared homes and tasks are kept for reuse. A home of 210 objects takes some MB, a task some hundred kB.
+  /// How many prepared homes and tasks are kept for reuse, the last that were asked for. Enough for all of the
+  /// benchmark, with its 170 homes and 536 tasks, so that only the first round over it prepares them; docs/python.md
+  /// says how much memory that takes.
   struct Kept {
-    std::size_t homes = 64, tasks = 256;
+    std::size_t homes = 192, tasks = 640;
   };
 
   /// Errors: Io for a folder without tasks.jsonl; Parse with line and column; Schema with a JSON pointer, or for an id

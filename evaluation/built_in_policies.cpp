@@ -37,12 +37,12 @@ std::string said(const Command& command, const Environment& environment) {
 std::vector<Command> expert_commands(const Environment& environment) {
   const EnvironmentTask& task = *environment.task();
   const Mode mode = environment.settings().rules.mode;
-  auto rehearsal = Rehearsal::of(task.goal, task.start, *task.data.knowledge, *task.data.profile, task.known);
-  if (!rehearsal) return {};
-  auto shown = demonstrate(*rehearsal, ExpertOptions());
+  auto executions = ExecutionTree::of(task.goal, task.start, *task.data.knowledge, *task.data.profile, task.known);
+  if (!executions) return {};
+  auto shown = demonstrate(*executions, ExpertOptions());
   if (mode != Mode::M1) {
     if (const auto* plan = std::get_if<Demonstration>(&shown)) {
-      auto in_mode = demonstrate_in(mode, *rehearsal, *plan);
+      auto in_mode = demonstrate_in(mode, *executions, *plan);
       shown = std::move(in_mode);
     }
   }

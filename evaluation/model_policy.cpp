@@ -52,10 +52,10 @@ NoReply broken(const Error& error) {
 class ModelPolicy : public Policy {
  public:
   ModelPolicy(std::shared_ptr<const ModelOptions> options, std::shared_ptr<EpisodeLog> log,
-              std::shared_ptr<Holdback> holdback)
+              std::shared_ptr<ServerPause> server_pause)
       : options_(std::move(options)),
         log_(std::move(log)),
-        client_(options_->endpoint, options_->chat, std::move(holdback)),
+        client_(options_->endpoint, options_->chat, std::move(server_pause)),
         conversation_(options_->prompt, options_->talk) {}
 
   std::optional<NoReply> begin(const PlannedEpisode& episode, const Environment& /*start*/) override {
@@ -187,9 +187,9 @@ std::string answer_schema(const Environment& environment, bool thinking) {
 }
 
 PolicyMaker model_policies(std::shared_ptr<const ModelOptions> options, std::shared_ptr<EpisodeLog> log) {
-  auto holdback = std::make_shared<Holdback>();  // shared: one server, many threads
-  return [options = std::move(options), log = std::move(log), holdback] {
-    return std::make_unique<ModelPolicy>(options, log, holdback);
+  auto server_pause = std::make_shared<ServerPause>();  // shared: one server, many threads
+  return [options = std::move(options), log = std::move(log), server_pause] {
+    return std::make_unique<ModelPolicy>(options, log, server_pause);
   };
 }
 

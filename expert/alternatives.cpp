@@ -53,10 +53,10 @@ bool contradict(const Alternative& a, const Alternative& b, const Situation& sit
          });
 }
 
-std::shared_ptr<const Truths> both_stand(const std::shared_ptr<const Truths>& a,
-                                         const std::shared_ptr<const Truths>& b) {
+std::shared_ptr<const LiteralSets> both_stand(const std::shared_ptr<const LiteralSets>& a,
+                                              const std::shared_ptr<const LiteralSets>& b) {
   if (!a || a == b) return b;
-  return b ? std::make_shared<const Truths>(together(*a, *b)) : a;
+  return b ? std::make_shared<const LiteralSets>(together(*a, *b)) : a;
 }
 
 double price_of(const Choices::List& list) { return list.empty() ? kNoWay : list.front().cost; }
@@ -79,7 +79,7 @@ Choices::List Choices::trimmed(List list) const {
 Choices::List Choices::single(Literal literal) const {
   Alternative alternative;
   if (holds_in(literal, situation_.facts())) {
-    alternative.standing = std::make_shared<const Truths>(truths_of({std::move(literal)}));
+    alternative.standing = std::make_shared<const LiteralSets>(literal_sets({std::move(literal)}));
   } else {
     alternative.end.push_back(std::move(literal));
   }
@@ -128,7 +128,7 @@ Choices::List Choices::all(const std::vector<const List*>& lists, std::vector<Li
 
 Choices::List Choices::with_standing(const List& list, const std::vector<const List*>& others,
                                      std::vector<Literal> standing) const {
-  std::vector<std::shared_ptr<const Truths>> shared;
+  std::vector<std::shared_ptr<const LiteralSets>> shared;
   for (const List* other : others) {
     if (only_stands(*other) && other->front().standing) shared.push_back(other->front().standing);
   }
@@ -140,7 +140,7 @@ Choices::List Choices::with_standing(const List& list, const std::vector<const L
     for (const auto& truths : shared) {
       for (const auto* part : {&truths->yes, &truths->no}) standing.insert(standing.end(), part->begin(), part->end());
     }
-    still.standing = std::make_shared<const Truths>(truths_of(std::move(standing)));
+    still.standing = std::make_shared<const LiteralSets>(literal_sets(std::move(standing)));
   }
   return both(list, {still});
 }

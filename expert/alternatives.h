@@ -11,7 +11,7 @@ namespace unietp {
 /// free of repeats and at most `beam` long.
 class Choices {
  public:
-  Choices(const Situation& situation, const Experience& experience, std::size_t beam)
+  Choices(const Situation& situation, const CostPenalties& experience, std::size_t beam)
       : situation_(situation), experience_(experience), beam_(beam) {}
 
   using List = std::vector<Alternative>;
@@ -48,7 +48,7 @@ class Choices {
   std::vector<std::vector<bool>> picks(std::size_t k, const std::vector<double>& price) const;
 
   const Situation& situation_;
-  const Experience& experience_;
+  const CostPenalties& experience_;
   std::size_t beam_;
 };
 

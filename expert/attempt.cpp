@@ -10,16 +10,16 @@ std::string blocker_of(const ActionResult& result) {
   return result.detail.cause == FailureCause::JointBlocked ? result.detail.other.id : "";
 }
 
-Attempt::Attempt(Rehearsal& rehearsal, const Situation& situation, const Alternative& alternative,
+Attempt::Attempt(ExecutionTree& executions, const Situation& situation, const Alternative& alternative,
                  const ExpertOptions& options)
-    : rehearsal_(&rehearsal),
+    : executions_(&executions),
       situation_(&situation),
       alternative_(&alternative),
       options_(options),
-      world_(rehearsal.world()),
+      world_(executions.world()),
       come_(alternative.moments.size(), false) {
-  trace_.states.push_back(rehearsal.facts(world_));
-  trace_.entities = rehearsal.entities();
+  trace_.states.push_back(executions.facts(world_));
+  trace_.entities = executions.entities();
   mark_moments();
 }
 
@@ -79,10 +79,10 @@ bool Attempt::act(Action action) {
     return false;
   }
   const World back = world_;
-  const ActionResult outcome = rehearsal_->step(world_, action);
+  const ActionResult outcome = executions_->step(world_, action);
   if (outcome.success) {
-    trace_.states.push_back(rehearsal_->facts(world_));
-    trace_.entities.follow(rehearsal_->entities());
+    trace_.states.push_back(executions_->facts(world_));
+    trace_.entities.follow(executions_->entities());
     if (keeps_hold()) {
       mark_moments();
       actions_.push_back(std::move(action));

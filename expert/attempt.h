@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "expert/demonstration.h"
-#include "expert/rehearsal.h"
+#include "expert/execution_tree.h"
 #include "expert/subgoal.h"
 #include "generator/rejection.h"
 #include "scene/trace.h"
@@ -22,7 +22,7 @@ std::string blocker_of(const ActionResult& result);
 /// that a method can try another tool or place and the expert can choose otherwise next time.
 class Attempt {
  public:
-  Attempt(Rehearsal& rehearsal, const Situation& situation, const Alternative& alternative,
+  Attempt(ExecutionTree& executions, const Situation& situation, const Alternative& alternative,
           const ExpertOptions& options);
 
   /// Does the action; false when it failed, would break a truth to keep, or a budget is used up.
@@ -68,7 +68,7 @@ class Attempt {
   void mark_moments();
   std::optional<EntityIndex> current(EntityIndex entity) const;
 
-  Rehearsal* rehearsal_;
+  ExecutionTree* executions_;
   const Situation* situation_;
   const Alternative* alternative_;
   ExpertOptions options_;

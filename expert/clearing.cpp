@@ -105,10 +105,10 @@ bool Methods::still_opens(const std::string& id) const {
 }
 
 /// What a place is to leave room for: the next thing that comes there, and the lid that is opened there.
-Aim Methods::room_at(const std::string& id, ActionType action, const std::string& target) const {
+Postcondition Methods::room_at(const std::string& id, ActionType action, const std::string& target) const {
   const bool inside = action == ActionType::PlaceIn, opens = still_opens(id);
   const std::string next = next_for(target, id);
-  Aim aim;
+  Postcondition aim;
   aim.reached = [=](const World& world) {
     World later = world;
     if (opens && !later.step({ActionType::Open, {id}}).success) return false;
@@ -135,8 +135,8 @@ bool Methods::leave_room(const std::string& id, ActionType action, const std::st
     if (!carry_away(other, id, target)) continue;
     World trial = attempt_.world();
     const bool back = trial.step({ActionType::GoTo, {id}}).success && trial.step({ActionType::PickUp, {id}}).success;
-    const Aim aim = room_at(id, action, target);
-    if (!back || !way_to_do(trial, {action, {target}}, target, aim)) continue;
+    const Postcondition aim = room_at(id, action, target);
+    if (!back || !steps_to_act(trial, {action, {target}}, target, aim)) continue;
     return hold(id) && reopen(id, action, target) && from_elsewhere({action, {target}}, target, aim);
   }
   // In vain: as if nothing was to come after it.
@@ -147,7 +147,7 @@ bool Methods::leave_room(const std::string& id, ActionType action, const std::st
 /// On or into something that lies inside the target, so that it is inside that, too.
 bool Methods::nest(const std::string& id, const std::string& target) {
   if (!clears_ || attempt_.exhausted() || !hold(id) || !reopen(id, ActionType::PlaceIn, target)) return false;
-  const Aim aim{[&](const World& world) { return world.linked(id, Predicate::Inside, target); }, {}};
+  const Postcondition aim{[&](const World& world) { return world.linked(id, Predicate::Inside, target); }, {}};
   std::vector<std::string> there;
   for (const std::string& other : attempt_.world().resting_at(target)) {
     if (find(other)->movable && attempt_.world().linked(other, Predicate::Inside, target)) there.push_back(other);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "expert/ways.h"
+#include "expert/achievers.h"
 
 namespace unietp {
 namespace {
@@ -34,7 +34,7 @@ double metres_between(const Situation& situation, EntityIndex a, EntityIndex b) 
 
 }  // namespace
 
-double Experience::surcharge(const Literal& literal) const {
+double CostPenalties::penalty(const Literal& literal) const {
   double sum = 0;
   for (const auto& [known, charge] : literals) {
     if (known == literal) sum += charge;
@@ -42,7 +42,7 @@ double Experience::surcharge(const Literal& literal) const {
   return sum;
 }
 
-double Experience::surcharge(EntityIndex thing) const {
+double CostPenalties::penalty(EntityIndex thing) const {
   double sum = 0;
   for (const auto& [known, charge] : things) {
     if (known == thing) sum += charge;
@@ -50,7 +50,7 @@ double Experience::surcharge(EntityIndex thing) const {
   return sum;
 }
 
-double estimate(const Alternative& alternative, const Situation& situation, const Experience& experience) {
+double estimate(const Alternative& alternative, const Situation& situation, const CostPenalties& experience) {
   double cost = 0;
   for (const auto& [known, charge] : experience.literals) {
     if (wants(alternative, known)) cost += charge;
@@ -86,7 +86,7 @@ double estimate(const Alternative& alternative, const Situation& situation, cons
       if (shut) insert_once(doors, literal.object);
     }
   }
-  for (const EntityIndex thing : visited) cost += experience.surcharge(thing);
+  for (const EntityIndex thing : visited) cost += experience.penalty(thing);
   for (const EntityIndex thing : fetched) cost += 2 + kActionsPerMetre * situation.walk_m(thing);
   for (const EntityIndex thing : visited) {
     const bool also_fetched = std::find(fetched.begin(), fetched.end(), thing) != fetched.end();

@@ -7,16 +7,16 @@
 
 namespace unietp {
 
-/// What failed attempts taught: a surcharge on truths and on things, in actions.
-struct Experience {
+/// What failed attempts taught: a penalty on truths and on things, in actions.
+struct CostPenalties {
   std::vector<std::pair<Literal, double>> literals;
   std::vector<std::pair<EntityIndex, double>> things;
   /// 0 for what was never part of a failure.
-  double surcharge(const Literal& literal) const;
-  double surcharge(EntityIndex thing) const;
+  double penalty(const Literal& literal) const;
+  double penalty(EntityIndex thing) const;
 };
 
 /// Estimated actions for an alternative; shared trips, doors and cuts are counted once.
-double estimate(const Alternative& alternative, const Situation& situation, const Experience& experience);
+double estimate(const Alternative& alternative, const Situation& situation, const CostPenalties& experience);
 
 }  // namespace unietp

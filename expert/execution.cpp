@@ -47,10 +47,10 @@ bool leave_in_hand(const Rollout& start, std::vector<Action>& actions) {
 
 }  // namespace
 
-Demonstration record(Rehearsal& rehearsal, Mode mode, const std::vector<Action>& actions) {
+Demonstration record(ExecutionTree& executions, Mode mode, const std::vector<Action>& actions) {
   Demonstration demonstration;
   demonstration.mode = mode;
-  Rollout rollout(rehearsal, mode);
+  Rollout rollout(executions, mode);
   for (const Action& action : actions) {
     auto command = clearly_said(rollout.episode(), action);
     if (!command) continue;
@@ -65,9 +65,9 @@ Demonstration record(Rehearsal& rehearsal, Mode mode, const std::vector<Action>&
   return demonstration;
 }
 
-std::optional<std::vector<Action>> without_needless(Rehearsal& rehearsal, Mode mode, std::vector<Action> actions,
+std::optional<std::vector<Action>> without_needless(ExecutionTree& executions, Mode mode, std::vector<Action> actions,
                                                     std::size_t longest_run) {
-  const Rollout start(rehearsal, mode);
+  const Rollout start(executions, mode);
   Rollout all = start;
   all.go_on(actions);
   if (!all.reaches_goal()) return std::nullopt;

@@ -6,31 +6,31 @@
 #include <vector>
 
 #include "expert/demonstration.h"
-#include "expert/rehearsal.h"
+#include "expert/execution_tree.h"
 #include "generator/rejection.h"
 
 namespace unietp {
 
 /// What `demonstrate` shows, without looking: the actions of a plan, of which none can be missed, ending with `stop`.
-std::variant<std::vector<Action>, Rejection> find_plan(Rehearsal& rehearsal, const ExpertOptions& options);
+std::variant<std::vector<Action>, Rejection> find_plan(ExecutionTree& executions, const ExpertOptions& options);
 
 /// What was done and learned before a plan failed.
-struct Beginning {
+struct ExecutedPrefix {
   std::vector<Action> done;          // from the start; all of them succeed
-  std::vector<std::string> shunned;  // ids of objects that could not be reached: others are used where possible
+  std::vector<std::string> avoided;  // ids of objects that could not be reached: others are used where possible
   bool clears = false;               // also carries out of the way what only may be in it
 };
 /// How to go on from there: the actions after those that were done, ending with `stop`; some may not be needed.
-std::variant<std::vector<Action>, Rejection> find_plan_from(Rehearsal& rehearsal, const Beginning& beginning,
+std::variant<std::vector<Action>, Rejection> find_plan_from(ExecutionTree& executions, const ExecutedPrefix& beginning,
                                                             const ExpertOptions& options);
 
 /// Does the actions from the start as an agent of the mode would live them; what it cannot say is left out.
-Demonstration record(Rehearsal& rehearsal, Mode mode, const std::vector<Action>& actions);
+Demonstration record(ExecutionTree& executions, Mode mode, const std::vector<Action>& actions);
 
 /// Leaves out steps until none can be missed: single ones, then runs of up to `longest_run` (a thing picked up and put
 /// back), then putting a thing down that might as well stay in the hand; whatever fails for want of them goes too.
 /// `actions` ends with `stop`, which stays. nullopt when the goal does not hold after all of them.
-std::optional<std::vector<Action>> without_needless(Rehearsal& rehearsal, Mode mode, std::vector<Action> actions,
+std::optional<std::vector<Action>> without_needless(ExecutionTree& executions, Mode mode, std::vector<Action> actions,
                                                     std::size_t longest_run);
 
 /// A plan in which something that was put down is carried to the end: all that was done to it while it was in the hand

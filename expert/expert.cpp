@@ -18,7 +18,7 @@ namespace {
 constexpr std::array kOrderPreferences{
     OrderPreferences{}, OrderPreferences{.switch_before_placing = true}, OrderPreferences{.far_first = true},
     OrderPreferences{.far_first = true, .switch_before_placing = true}, OrderPreferences{.large_first = true}};
-constexpr double kPerPreference = 2;    // surcharge for each departure from the usual preferences, in actions
+constexpr double kPerPreference = 2;    // penalty for each departure from the usual preferences, in actions
 constexpr double kFailedLiteral = 100;  // surcharges that a failure teaches, in actions
 constexpr double kFailedThing = 30;
 constexpr int kTriesPerLiteral = 3;  // a truth that later steps keep undoing is given up after so many
@@ -77,11 +77,11 @@ std::optional<Literal> carry_out(Attempt& attempt, Methods& methods, const Order
   return bring_about(attempt, methods, wanted_at_end(alternative), preferences);
 }
 
-void shun(Experience& experience, const Situation& situation, const std::string& id) {
+void shun(CostPenalties& experience, const Situation& situation, const std::string& id) {
   if (const auto entity = situation.find(id)) experience.things.emplace_back(*entity, kFailedThing);
 }
 
-void learn(Experience& experience, const Situation& situation, const Attempt& attempt, const Literal& failed) {
+void learn(CostPenalties& experience, const Situation& situation, const Attempt& attempt, const Literal& failed) {
   experience.literals.emplace_back(failed, kFailedLiteral);
   if (situation.is_imagined(failed.subject)) {
     experience.things.emplace_back(situation.slice(failed.subject).whole, kFailedThing);
@@ -90,13 +90,13 @@ void learn(Experience& experience, const Situation& situation, const Attempt& at
   for (const std::string& id : attempt.trouble()->action.args) shun(experience, situation, id);
 }
 
-std::string missing_after(Rehearsal& rehearsal, const std::vector<Action>& actions) {
-  Monitor monitor(rehearsal.goal());
-  World world = rehearsal.world();
-  monitor.observe(rehearsal.entities(), rehearsal.facts(world));
+std::string missing_after(ExecutionTree& executions, const std::vector<Action>& actions) {
+  Monitor monitor(executions.goal());
+  World world = executions.world();
+  monitor.observe(executions.entities(), executions.facts(world));
   for (const Action& action : actions) {
-    (void)rehearsal.step(world, action);
-    monitor.observe(rehearsal.entities(), rehearsal.facts(world));
+    (void)executions.step(world, action);
+    monitor.observe(executions.entities(), executions.facts(world));
   }
   return monitor.missing();
 }
@@ -110,12 +110,12 @@ bool was_far(const Attempt& attempt) {
 }
 
 /// `lacked_room` becomes true when something failed for want of it.
-std::variant<std::vector<Action>, Rejection> try_plans(Rehearsal& rehearsal, const Situation& situation,
-                                                       const Beginning& beginning, const ExpertOptions& options,
+std::variant<std::vector<Action>, Rejection> try_plans(ExecutionTree& executions, const Situation& situation,
+                                                       const ExecutedPrefix& beginning, const ExpertOptions& options,
                                                        bool clears, bool& lacked_room) {
-  const Formula& goal = rehearsal.goal();
-  Experience experience;
-  for (const std::string& id : beginning.shunned) shun(experience, situation, id);
+  const Formula& goal = executions.goal();
+  CostPenalties experience;
+  for (const std::string& id : beginning.avoided) shun(experience, situation, id);
   std::set<std::string> tried;
   Rejection last{RejectionReason::NoPlan, "no way to meet the goal with what the scene has: " + to_text(goal)};
   int out_of_steps = 0, actions_done = 0;
@@ -123,7 +123,7 @@ std::variant<std::vector<Action>, Rejection> try_plans(Rehearsal& rehearsal, con
     if (out_of_steps >= kMostOutOfSteps || actions_done >= kMostActions * options.max_steps) break;
     const auto choice = next_choice(read_goal(goal, situation, experience), situation, tried);
     if (!choice) break;
-    Attempt attempt(rehearsal, situation, choice->alternative, options);
+    Attempt attempt(executions, situation, choice->alternative, options);
     for (const Action& action : beginning.done) attempt.act(action);
     const std::size_t least = attempt.actions().size() + least_steps(attempt) + 1;
     if (least > static_cast<std::size_t>(options.max_steps)) {
@@ -132,7 +132,7 @@ std::variant<std::vector<Action>, Rejection> try_plans(Rehearsal& rehearsal, con
                                                  std::to_string(options.max_steps) + " are allowed"};
       continue;
     }
-    Methods methods(attempt, categories_of(goal), beginning.shunned, clears);
+    Methods methods(attempt, categories_of(goal), beginning.avoided, clears);
     const auto failed = carry_out(attempt, methods, choice->preferences);
     actions_done += static_cast<int>(std::ssize(attempt.actions()) - std::ssize(beginning.done)) + attempt.failures();
     if (failed) {
@@ -153,9 +153,9 @@ std::variant<std::vector<Action>, Rejection> try_plans(Rehearsal& rehearsal, con
     if (!beginning.done.empty())
       return std::vector(actions.begin() + static_cast<std::ptrdiff_t>(beginning.done.size()), actions.end());
     // Only an attempt that had to change its mind leaves detours longer than a step.
-    auto needed = without_needless(rehearsal, Mode::M1, actions, attempt.failures() == 0 ? 1 : 6);
+    auto needed = without_needless(executions, Mode::M1, actions, attempt.failures() == 0 ? 1 : 6);
     if (needed) return std::move(*needed);
-    last = {RejectionReason::GoalNotMet, missing_after(rehearsal, actions)};
+    last = {RejectionReason::GoalNotMet, missing_after(executions, actions)};
     for (const Literal& literal : choice->alternative.end) experience.literals.emplace_back(literal, 1.0);
   }
   return last;
@@ -163,32 +163,32 @@ std::variant<std::vector<Action>, Rejection> try_plans(Rehearsal& rehearsal, con
 
 }  // namespace
 
-std::variant<std::vector<Action>, Rejection> find_plan_from(Rehearsal& rehearsal, const Beginning& beginning,
+std::variant<std::vector<Action>, Rejection> find_plan_from(ExecutionTree& executions, const ExecutedPrefix& beginning,
                                                             const ExpertOptions& options) {
-  const Situation situation = look_around(rehearsal, options.mode);
+  const Situation situation = look_around(executions, options.mode);
   bool lacked_room = false;
-  auto plan = try_plans(rehearsal, situation, beginning, options, beginning.clears, lacked_room);
+  auto plan = try_plans(executions, situation, beginning, options, beginning.clears, lacked_room);
   // What is in the way is carried away only where no other witness, place or tool will do.
   if (!beginning.clears && lacked_room && std::holds_alternative<Rejection>(plan))
-    plan = try_plans(rehearsal, situation, beginning, options, true, lacked_room);
+    plan = try_plans(executions, situation, beginning, options, true, lacked_room);
   return plan;
 }
 
-std::variant<std::vector<Action>, Rejection> find_plan(Rehearsal& rehearsal, const ExpertOptions& options) {
-  return find_plan_from(rehearsal, {}, options);
+std::variant<std::vector<Action>, Rejection> find_plan(ExecutionTree& executions, const ExpertOptions& options) {
+  return find_plan_from(executions, {}, options);
 }
 
-std::variant<Demonstration, Rejection> demonstrate(Rehearsal& rehearsal, const ExpertOptions& options) {
-  auto plan = find_plan(rehearsal, options);
+std::variant<Demonstration, Rejection> demonstrate(ExecutionTree& executions, const ExpertOptions& options) {
+  auto plan = find_plan(executions, options);
   if (auto* why = std::get_if<Rejection>(&plan)) return std::move(*why);
-  return record(rehearsal, Mode::M1, std::get<std::vector<Action>>(plan));
+  return record(executions, Mode::M1, std::get<std::vector<Action>>(plan));
 }
 
 std::variant<Demonstration, Rejection> demonstrate(const Formula& goal, const Scene& start, const Knowledge& knowledge,
                                                    const Profile& profile, const ExpertOptions& options) {
-  auto rehearsal = Rehearsal::of(goal, start, knowledge, profile);
-  if (!rehearsal) return Rejection{RejectionReason::NoPlan, format(rehearsal.error())};
-  return demonstrate(*rehearsal, options);
+  auto executions = ExecutionTree::of(goal, start, knowledge, profile);
+  if (!executions) return Rejection{RejectionReason::NoPlan, format(executions.error())};
+  return demonstrate(*executions, options);
 }
 
 }  // namespace unietp

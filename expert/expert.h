@@ -6,7 +6,7 @@
 
 #include "akb/knowledge.h"
 #include "expert/demonstration.h"
-#include "expert/rehearsal.h"
+#include "expert/execution_tree.h"
 #include "generator/rejection.h"
 #include "logic/formula.h"
 #include "simulation/profile.h"
@@ -16,7 +16,7 @@ namespace unietp {
 /// Stage: from the goal formula alone: chooses witnesses, orders subgoals, expands them to actions, executes them in
 /// the backend, replans on failure, stops. Knows no template. Kept only if the goal holds on the executed trace by the
 /// direct evaluator. Deterministic.
-std::variant<Demonstration, Rejection> demonstrate(Rehearsal& rehearsal, const ExpertOptions& options);
+std::variant<Demonstration, Rejection> demonstrate(ExecutionTree& executions, const ExpertOptions& options);
 /// The same from a start of which nothing is known yet. Rejected as `no-plan`, too, when the start cannot be built.
 std::variant<Demonstration, Rejection> demonstrate(const Formula& goal, const Scene& start, const Knowledge& knowledge,
                                                    const Profile& profile, const ExpertOptions& options);
@@ -25,7 +25,7 @@ std::variant<Demonstration, Rejection> demonstrate(const Formula& goal, const Sc
 /// carried to the end instead, the parts of an order swapped, a distractor in place of a referent. Gives those (as
 /// text) after which the goal still holds: none when the goal really tests the plan. A step whose absence makes no
 /// difference to the goal (such as closing a door that the goal does not mention) is among them.
-std::vector<std::string> needless_steps(Rehearsal& rehearsal, const Demonstration& demonstration);
+std::vector<std::string> needless_steps(ExecutionTree& executions, const Demonstration& demonstration);
 std::vector<std::string> needless_steps(const Formula& goal, const Scene& start, const Demonstration& demonstration,
                                         const Knowledge& knowledge, const Profile& profile);
 

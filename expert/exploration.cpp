@@ -18,7 +18,7 @@ constexpr int kMostNamings = 50;          // poses that it is come to, to see wh
 constexpr std::size_t kMostLookouts = 5;
 constexpr std::size_t kMostNearby = 12, kMostNear = 24;
 constexpr double kNearby_m = 2, kNear_m = 3;
-constexpr double kElsewhere = 0.5;  // surcharge for looking from furniture that has nothing to do with the object
+constexpr double kElsewhere = 0.5;  // penalty for looking from furniture that has nothing to do with the object
 
 constexpr std::array kLooks{ActionType::TurnLeft, ActionType::TurnRight, ActionType::LookDown, ActionType::LookUp};
 constexpr std::array kSteps{ActionType::MoveForward, ActionType::MoveBackward, ActionType::MoveLeft,
@@ -53,14 +53,14 @@ std::vector<std::string> nearest(const World& world, const Node& to, const Range
 
 class Search {
  public:
-  Search(const ModeEpisode& episode, const Node& target, const Profile& profile, Standing standing)
+  Search(const ModeEpisode& episode, const Node& target, const Profile& profile, Viewpoint standing)
       : episode_(episode), world_(episode.world()), target_(target), profile_(profile), standing_(standing) {}
 
   /// `thorough`: also from small things nearby, where long steps and wide turns lead to few places.
   std::optional<std::vector<Action>> run(bool thorough) {
     if (thorough) begin_nearby();
     add({world_.agent(), 0, 0, {}});
-    if (standing_ != Standing::Here) begin_elsewhere();
+    if (standing_ != Viewpoint::Here) begin_elsewhere();
     while (const auto at = poses_.next()) {
       if (trials_ < kMostNamings && shows(poses_[*at].agent)) {
         if (auto steps = poses_.steps_to(*at); can_be_named_after(steps)) return steps;
@@ -73,7 +73,7 @@ class Search {
  private:
   void begin_elsewhere() {
     if (const std::string room = world_.room_of(target_.id); !room.empty()) begin_with(room, 1);
-    if (standing_ == Standing::InReach) begin_with(target_.id, 1);
+    if (standing_ == Viewpoint::InReach) begin_with(target_.id, 1);
     double extra = 0;
     for (const std::string& id : lookouts_for(world_, target_.id)) {
       begin_with(id, 1 + extra);
@@ -96,7 +96,7 @@ class Search {
   }
   void expand(std::size_t at) {
     for (const ActionType type : kLooks) go_on(at, type);
-    if (standing_ == Standing::Here) return;
+    if (standing_ == Viewpoint::Here) return;
     for (const ActionType type : kSteps) go_on(at, type);
   }
   void go_on(std::size_t at, ActionType type) {
@@ -105,7 +105,7 @@ class Search {
     if (auto agent = world_.agent_after(from, action)) add({std::move(*agent), poses_[at].cost + 1, at, action});
   }
   bool shows(const Agent& agent) const {
-    if (standing_ == Standing::InReach && !world_.in_reach_from(agent.position, target_.id)) return false;
+    if (standing_ == Viewpoint::InReach && !world_.in_reach_from(agent.position, target_.id)) return false;
     if (episode_.rules().boxes) {
       const Vec3 eye(agent.position.x(), agent.position.y(), profile_.camera_height_m);
       if ((target_.pose.position - eye).norm() > profile_.sight_m) return false;
@@ -126,7 +126,7 @@ class Search {
   const World& world_;
   const Node& target_;
   const Profile& profile_;
-  Standing standing_;
+  Viewpoint standing_;
   int trials_ = 0;
   Poses poses_;
 };
@@ -158,14 +158,14 @@ std::vector<std::string> things_near(const World& world, const std::string& id) 
   return nearest(world, *target, {kNear_m, kMostNear}, [&world](const Node& node) { return !world.holds(node.id); });
 }
 
-std::optional<std::vector<Action>> way_to_see(const ModeEpisode& episode, const std::string& id, Standing standing) {
+std::optional<std::vector<Action>> way_to_see(const ModeEpisode& episode, const std::string& id, Viewpoint standing) {
   const Node* target = episode.world().find(id);
   if (target == nullptr) return std::nullopt;
   const auto search = [&](bool thorough) {
     return Search(episode, *target, episode.world().profile(), standing).run(thorough);
   };
   auto way = search(false);
-  return way || standing == Standing::Here ? way : search(true);
+  return way || standing == Viewpoint::Here ? way : search(true);
 }
 
 }  // namespace unietp

@@ -9,7 +9,7 @@
 namespace unietp {
 
 /// Where the agent may stand to see something.
-enum class Standing {
+enum class Viewpoint {
   Anywhere,
   InReach,  // where the arm reaches the object and nothing hides it from the hand
   Here,     // only turning and tilting the camera
@@ -21,7 +21,7 @@ enum class Standing {
 /// It may know where to look: the search is made with the scene at hand, what is done of it an agent could have done.
 /// nullopt when nothing within the search shows the object. Deterministic.
 std::optional<std::vector<Action>> way_to_see(const ModeEpisode& episode, const std::string& id,
-                                              Standing standing = Standing::Anywhere);
+                                              Viewpoint standing = Viewpoint::Anywhere);
 
 /// Furniture to look from when the object itself cannot be found: what it lies on or in first, then what is nearest.
 std::vector<std::string> lookouts_for(const World& world, const std::string& id);

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "core/least_first.h"
+#include "expert/achievers.h"
 #include "expert/alternatives.h"
-#include "expert/ways.h"
 #include "logic/comparison.h"
 
 namespace unietp {
@@ -28,7 +28,8 @@ int deepest_exists(const Formula& formula) {
 /// hold at the position being read; the temporal operators turn that into the end, or into a moment.
 class Reader {
  public:
-  Reader(const Formula& goal, const Situation& situation, const Experience& experience, const ReadingOptions& options)
+  Reader(const Formula& goal, const Situation& situation, const CostPenalties& experience,
+         const ReadingOptions& options)
       : situation_(situation), experience_(experience), choices_(situation, experience, options.beam) {
     const int depth = std::max(1, deepest_exists(goal));
     const auto candidates = std::pow(static_cast<double>(options.assignments), 1.0 / depth);
@@ -203,9 +204,9 @@ class Reader {
     std::vector<EntityIndex> witnesses = domain_of(formula);
     if (witnesses.size() > candidates_) {
       LeastFirst<EntityIndex, double> nearest(
-          candidates_, [this](EntityIndex e) { return situation_.walk_m(e) + 10 * experience_.surcharge(e); });
+          candidates_, [this](EntityIndex e) { return situation_.walk_m(e) + 10 * experience_.penalty(e); });
       for (const EntityIndex e : std::exchange(witnesses, {}))
-        nearest.add(e, situation_.straight_m(e) + 10 * experience_.surcharge(e));
+        nearest.add(e, situation_.straight_m(e) + 10 * experience_.penalty(e));
       while (const auto witness = nearest.next()) witnesses.push_back(*witness);
     }
     List result;
@@ -374,7 +375,7 @@ class Reader {
   }
 
   const Situation& situation_;
-  const Experience& experience_;
+  const CostPenalties& experience_;
   Choices choices_;
   std::size_t candidates_ = 0;
   Assignment assignment_;
@@ -384,7 +385,7 @@ class Reader {
 
 }  // namespace
 
-std::vector<Alternative> read_goal(const Formula& goal, const Situation& situation, const Experience& experience,
+std::vector<Alternative> read_goal(const Formula& goal, const Situation& situation, const CostPenalties& experience,
                                    const ReadingOptions& options) {
   return Reader(goal, situation, experience, options).read(goal, true);
 }

@@ -20,7 +20,7 @@ struct ReadingOptions {
 /// moments with an order and truths to keep. Ways that contradict themselves, or need what nothing in the scene can do,
 /// are left out, so an empty list means that no way was found. Sound with respect to the choice, not complete: the beam
 /// is finite. Deterministic.
-std::vector<Alternative> read_goal(const Formula& goal, const Situation& situation, const Experience& experience,
+std::vector<Alternative> read_goal(const Formula& goal, const Situation& situation, const CostPenalties& experience,
                                    const ReadingOptions& options = {});
 
 }  // namespace unietp

@@ -4,7 +4,7 @@
 #include <map>
 #include <vector>
 
-#include "expert/ways.h"
+#include "expert/achievers.h"
 
 namespace unietp {
 namespace {
@@ -28,11 +28,12 @@ std::size_t steps_to_change(const Attempt& attempt, const Literal& literal, cons
   const Situation& situation = attempt.situation();
   const World& world = attempt.world();
   std::size_t least = kFetchAndDo;
-  for (const StateWay& way : ways_to(literal.predicate, situation.profile)) {
-    for (const Effect* rule : rules_for(way, node.category, literal.symbol, world.places(), *situation.knowledge)) {
-      if (way.way == Way::HeldToolOn) least = std::min<std::size_t>(least, 1);
+  for (const Achiever& achiever : achievers_of(literal.predicate, situation.profile)) {
+    for (const Effect* rule :
+         rules_for(achiever, node.category, literal.symbol, world.places(), *situation.knowledge)) {
+      if (achiever.kind == AchieverKind::HeldToolOn) least = std::min<std::size_t>(least, 1);
       // Switched on, it does so to all that is there.
-      if (way.way == Way::Appliance && lies_at(world, node.id, rule->tool)) return 0;
+      if (achiever.kind == AchieverKind::Appliance && lies_at(world, node.id, rule->tool)) return 0;
     }
   }
   return least;

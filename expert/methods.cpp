@@ -4,7 +4,7 @@
 #include <set>
 #include <tuple>
 
-#include "expert/ways.h"
+#include "expert/achievers.h"
 #include "scene/states.h"
 
 namespace unietp {
@@ -64,22 +64,22 @@ bool Methods::wipe_off(const Literal& literal) {
 
 bool Methods::change_state(const Literal& literal) {
   const std::string id = attempt_.id_of(literal.subject);
-  for (const StateWay& way : ways_to(literal.predicate, attempt_.situation().profile)) {
+  for (const Achiever& achiever : achievers_of(literal.predicate, attempt_.situation().profile)) {
     bool done = false;
-    switch (way.way) {
-      case Way::Direct:
-        done = directly(way.action, id);
+    switch (achiever.kind) {
+      case AchieverKind::Direct:
+        done = directly(achiever.action, id);
         break;
-      case Way::ToolOnHeld:
-        done = with_tool_on_held(literal, way.action, *way.treatment);
+      case AchieverKind::ToolOnHeld:
+        done = with_tool_on_held(literal, achiever.action, *achiever.treatment);
         break;
-      case Way::HeldToolOn:
-        done = with_held_tool(literal, way.action, *way.treatment);
+      case AchieverKind::HeldToolOn:
+        done = with_held_tool(literal, achiever.action, *achiever.treatment);
         break;
-      case Way::Appliance:
-        done = in_appliance(literal, *way.treatment);
+      case AchieverKind::Appliance:
+        done = in_appliance(literal, *achiever.treatment);
         break;
-      case Way::FromVessel:
+      case AchieverKind::FromVessel:
         done = pour_from_vessel(literal);
         break;
     }
@@ -92,9 +92,9 @@ bool Methods::change_state(const Literal& literal) {
 Methods::Tools Methods::nearest_of(const std::vector<const Effect*>& rules, const std::string& except) const {
   const World here = attempt_.world();
   const auto rank = [this, here](const std::string& id, double away, std::string name) {
-    const bool shunned = std::find(shunned_.begin(), shunned_.end(), id) != shunned_.end();
+    const bool avoided = std::find(shunned_.begin(), shunned_.end(), id) != shunned_.end();
     const auto& held = here.agent().held;
-    return ToolRank(shunned, std::find(held.begin(), held.end(), id) == held.end(), away, std::move(name));
+    return ToolRank(avoided, std::find(held.begin(), held.end(), id) == held.end(), away, std::move(name));
   };
   Tools tools(kMostTools, [here, rank](const std::string& id) { return rank(id, here.walking_distance(id), id); });
   std::set<std::string_view> categories;
@@ -110,10 +110,10 @@ Methods::Tools Methods::nearest_of(const std::vector<const Effect*>& rules, cons
 
 bool Methods::with_held_tool(const Literal& literal, ActionType action, Treatment treatment) {
   const std::string id = attempt_.id_of(literal.subject);
-  const StateWay way{literal.predicate, Way::HeldToolOn, action, "", treatment};
+  const Achiever achiever{literal.predicate, AchieverKind::HeldToolOn, action, "", treatment};
   const Node* node = find(id);
   const auto rules = node == nullptr ? std::vector<const Effect*>()
-                                     : rules_for(way, node->category, literal.symbol, attempt_.world().places(),
+                                     : rules_for(achiever, node->category, literal.symbol, attempt_.world().places(),
                                                  *attempt_.situation().knowledge);
   if (rules.empty()) return false;
   if (attempt_.is_held(id) && !put_aside(id)) return false;
@@ -179,11 +179,11 @@ bool Methods::pour_from_vessel(const Literal& literal) {
 
 bool Methods::with_tool_on_held(const Literal& literal, ActionType action, Treatment treatment) {
   const std::string id = attempt_.id_of(literal.subject);
-  const StateWay way{literal.predicate, Way::ToolOnHeld, action, "", treatment};
+  const Achiever achiever{literal.predicate, AchieverKind::ToolOnHeld, action, "", treatment};
   const Node* node = find(id);
   if (node == nullptr) return false;
   const auto rules =
-      rules_for(way, node->category, literal.symbol, attempt_.world().places(), *attempt_.situation().knowledge);
+      rules_for(achiever, node->category, literal.symbol, attempt_.world().places(), *attempt_.situation().knowledge);
   if (rules.empty() || !hold(id)) return false;
   Tools tools = nearest_of(rules, id);
   while (const auto next = tools.next()) {
@@ -209,9 +209,9 @@ bool Methods::in_appliance(const Literal& literal, Treatment treatment) {
   const std::string id = attempt_.id_of(literal.subject);
   const Node* node = find(id);
   if (node == nullptr || !node->movable) return false;
-  const StateWay way{literal.predicate, Way::Appliance, ActionType::PlaceIn, "", treatment};
-  for (const Effect* rule :
-       rules_for(way, node->category, literal.symbol, attempt_.world().places(), *attempt_.situation().knowledge)) {
+  const Achiever achiever{literal.predicate, AchieverKind::Appliance, ActionType::PlaceIn, "", treatment};
+  for (const Effect* rule : rules_for(achiever, node->category, literal.symbol, attempt_.world().places(),
+                                      *attempt_.situation().knowledge)) {
     const auto needs = [rule](EffectNeed need) { return has_need(*rule, need); };
     if (needs(EffectNeed::Held)) continue;  // a bottle pours from the hand
     // What needs no switch happens as a thing is put there, not to one that lay there from the beginning.
@@ -330,9 +330,9 @@ bool Methods::shut_out_of_the_way(const std::string& id) {
   return false;
 }
 
-bool Methods::from_elsewhere(const Action& action, const std::string& about, const Aim& aim) {
+bool Methods::from_elsewhere(const Action& action, const std::string& about, const Postcondition& aim) {
   if (attempt_.exhausted()) return false;
-  const auto way = way_to_do(attempt_.world(), action, about, aim);
+  const auto way = steps_to_act(attempt_.world(), action, about, aim);
   return way && std::all_of(way->begin(), way->end(), [this](const Action& step) { return attempt_.act(step); }) &&
          attempt_.act(action);
 }

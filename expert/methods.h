@@ -6,8 +6,8 @@
 
 #include "core/least_first.h"
 #include "expert/attempt.h"
-#include "expert/footing.h"
 #include "expert/put_down_options.h"
+#include "expert/repositioning.h"
 #include "logic/formula.h"
 
 namespace unietp {
@@ -17,10 +17,10 @@ namespace unietp {
 class Methods {
  public:
   /// `relevant`: categories that the goal speaks of; things are put aside elsewhere if possible.
-  /// `shunned`: ids of tools that are taken only where no other will do.
+  /// `avoided`: ids of tools that are taken only where no other will do.
   /// `clears`: things that are in the way are carried away; else another witness or place is left to be tried.
-  Methods(Attempt& attempt, std::vector<std::string> relevant, std::vector<std::string> shunned, bool clears)
-      : attempt_(attempt), relevant_(std::move(relevant)), shunned_(std::move(shunned)), clears_(clears) {}
+  Methods(Attempt& attempt, std::vector<std::string> relevant, std::vector<std::string> avoided, bool clears)
+      : attempt_(attempt), relevant_(std::move(relevant)), shunned_(std::move(avoided)), clears_(clears) {}
   /// Something failed for want of room, so clearing may help.
   static bool lacked_room(const Attempt& attempt);
 
@@ -55,7 +55,7 @@ class Methods {
   std::vector<std::string> in_the_way_on(const std::string& target, const std::string& but) const;
   std::string next_for(const std::string& target, const std::string& but) const;
   bool still_opens(const std::string& id) const;
-  Aim room_at(const std::string& id, ActionType action, const std::string& target) const;
+  Postcondition room_at(const std::string& id, ActionType action, const std::string& target) const;
   bool unblock(ActionType action, const std::string& id);
   bool shut_in_the_way(ActionType action, const std::string& id);
   PutDownOptions put_down_options(const std::string& id, const std::string& room, const std::string& except) const;
@@ -73,13 +73,13 @@ class Methods {
   bool directly(ActionType action, const std::string& id);
   bool do_at(ActionType action, const std::string& id);
   bool shut_out_of_the_way(const std::string& id);
-  bool from_elsewhere(const Action& action, const std::string& about, const Aim& aim);
+  bool from_elsewhere(const Action& action, const std::string& about, const Postcondition& aim);
   bool works(const std::vector<Action>& steps) const;
   bool works_at(const Action& action) const;
   bool is(const std::string& id, Predicate state) const;
   const Node* find(const std::string& id) const;
 
-  using ToolRank = std::tuple<bool, bool, double, std::string>;  // shunned, not in hand, metres away, id
+  using ToolRank = std::tuple<bool, bool, double, std::string>;  // avoided, not in hand, metres away, id
   using Tools = LeastFirst<std::string, ToolRank>;
   Tools nearest_of(const std::vector<const Effect*>& rules, const std::string& except) const;
 

@@ -21,7 +21,7 @@ struct Trouble {
 /// Carries out a plan that names things by ids, looking for each thing first.
 class Explorer {
  public:
-  Explorer(Rehearsal& rehearsal, Mode mode) : rollout_(rehearsal, mode) {}
+  Explorer(ExecutionTree& executions, Mode mode) : rollout_(executions, mode) {}
   /// From now on it looks around from where it stands, also where it would see a thing sooner from elsewhere.
   void stay() { stays_ = true; }
 
@@ -31,13 +31,13 @@ class Explorer {
     const std::string& id = action.args.front();
     // Who has come to stand where something works had better look around without leaving.
     const bool stays = stays_ && action.type != ActionType::GoTo;
-    if (!can_say(action) && !(stays && look(id, Standing::Here)) && !see(id)) return unseen(id);
+    if (!can_say(action) && !(stays && look(id, Viewpoint::Here)) && !see(id)) return unseen(id);
     if (act(action)) return true;
     if (action.type == ActionType::GoTo) return false;
     // Perhaps from nearer by: where one is led to, or wherever the arm reaches it and the camera shows it.
     const Action approach{ActionType::GoTo, {id}};
     if ((can_say(approach) || see(id)) && act(approach) && can_say(action) && act(action)) return true;
-    return look(id, Standing::InReach) && act(action);
+    return look(id, Viewpoint::InReach) && act(action);
   }
 
   /// Does what comes before `stop`; true when the goal is reached then, else `trouble` says why not.
@@ -72,7 +72,7 @@ class Explorer {
     if (!outcome.success) trouble_ = {to_text(action) + ": " + outcome.feedback, outcome.failure};
     return outcome.success;
   }
-  bool look(const std::string& id, Standing standing = Standing::Anywhere) {
+  bool look(const std::string& id, Viewpoint standing = Viewpoint::Anywhere) {
     const auto way = way_to_see(rollout_.episode(), id, standing);
     return way && std::all_of(way->begin(), way->end(), [this](const Action& step) { return act(step); });
   }
@@ -112,26 +112,26 @@ class Explorer {
 /// Does a plan as the mode allows it. Where that does not go as planned, since who looks for things comes to stand
 /// elsewhere, the rest is planned anew from there; or all of it, with other things where others will do. Gives what was
 /// done, without `stop`.
-std::variant<std::vector<Action>, Trouble> explore(Mode mode, Rehearsal& rehearsal, std::vector<Action> plan,
+std::variant<std::vector<Action>, Trouble> explore(Mode mode, ExecutionTree& executions, std::vector<Action> plan,
                                                    const ExpertOptions& options) {
   constexpr int kMostReplans = 4;
-  Explorer explorer(rehearsal, mode);
-  Beginning beginning;
+  Explorer explorer(executions, mode);
+  ExecutedPrefix beginning;
   for (int replans = 0; !explorer.follow(plan); ++replans) {
     const Trouble trouble = explorer.trouble();
     if (replans == kMostReplans) return trouble;
-    if (!explorer.lost().empty()) beginning.shunned.push_back(explorer.lost());
+    if (!explorer.lost().empty()) beginning.avoided.push_back(explorer.lost());
     const bool goes_on = replans % 2 == 0 && !explorer.over();
     beginning.clears = replans >= kMostReplans / 2;
     beginning.done = goes_on ? explorer.done() : std::vector<Action>{};
-    auto other = find_plan_from(rehearsal, beginning, options);
+    auto other = find_plan_from(executions, beginning, options);
     if (std::holds_alternative<Rejection>(other) && goes_on) {
       beginning.done.clear();
-      other = find_plan_from(rehearsal, beginning, options);
+      other = find_plan_from(executions, beginning, options);
     }
     if (std::holds_alternative<Rejection>(other)) return trouble;
     plan = std::move(std::get<std::vector<Action>>(other));
-    if (beginning.done.empty()) explorer = Explorer(rehearsal, mode);
+    if (beginning.done.empty()) explorer = Explorer(executions, mode);
     explorer.stay();
   }
   return explorer.done();
@@ -181,7 +181,8 @@ std::optional<Rejection> ruled_out_in(Mode mode, const Formula& goal) {
                    Failure::NotOffered};
 }
 
-std::variant<Demonstration, Rejection> demonstrate_in(Mode mode, Rehearsal& rehearsal, const Demonstration& shown) {
+std::variant<Demonstration, Rejection> demonstrate_in(Mode mode, ExecutionTree& executions,
+                                                      const Demonstration& shown) {
   constexpr std::size_t kLongestRun = 3;
   const auto rejected = [mode](std::string why, Failure failure = Failure::None) {
     return Rejection{not_in(mode), std::move(why), failure};
@@ -191,29 +192,29 @@ std::variant<Demonstration, Rejection> demonstrate_in(Mode mode, Rehearsal& rehe
   const auto is_offered = [mode](const Action& action) { return offers(info(action.type), mode); };
   const ExpertOptions options{.max_steps = limits.steps, .max_failures = limits.failures, .mode = mode};
   if (!std::all_of(plan.begin(), plan.end(), is_offered)) {
-    auto atomic = find_plan(rehearsal, options);
+    auto atomic = find_plan(executions, options);
     if (const auto* why = std::get_if<Rejection>(&atomic))
       return rejected(std::string(name_of(why->reason)) + ": " + why->detail, why->failure);
     plan = std::move(std::get<std::vector<Action>>(atomic));
   }
 
-  auto explored = explore(mode, rehearsal, std::move(plan), options);
+  auto explored = explore(mode, executions, std::move(plan), options);
   if (auto* why = std::get_if<Trouble>(&explored)) return rejected(std::move(why->text), why->failure);
   auto& done = std::get<std::vector<Action>>(explored);
   done.push_back({ActionType::Stop, {}});
-  const auto actions = without_needless(rehearsal, mode, std::move(done), kLongestRun);
+  const auto actions = without_needless(executions, mode, std::move(done), kLongestRun);
   if (!actions) return rejected("done so, it does not reach the goal");
   if (static_cast<int>(actions->size()) > limits.steps)
     return rejected("needs " + std::to_string(actions->size()) + " steps");
-  return record(rehearsal, mode, *actions);
+  return record(executions, mode, *actions);
 }
 
 std::variant<Demonstration, Rejection> demonstrate_in(Mode mode, const Formula& goal, const Scene& start,
                                                       const Knowledge& knowledge, const Profile& profile,
                                                       const Demonstration& shown) {
-  auto rehearsal = Rehearsal::of(goal, start, knowledge, profile);
-  if (!rehearsal) return Rejection{not_in(mode), format(rehearsal.error())};
-  return demonstrate_in(mode, *rehearsal, shown);
+  auto executions = ExecutionTree::of(goal, start, knowledge, profile);
+  if (!executions) return Rejection{not_in(mode), format(executions.error())};
+  return demonstrate_in(mode, *executions, shown);
 }
 
 }  // namespace unietp

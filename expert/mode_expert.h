@@ -17,7 +17,7 @@ std::optional<Rejection> ruled_out_in(Mode mode, const Formula& goal);
 /// and in M3 pointed at with its box in the picture. No step can be left out: without it the goal is not met. Kept only
 /// if the goal holds on the executed trace within the limits of the mode. Deterministic. Rejections: stage `expert`,
 /// reason `not-in-m2` or `not-in-m3`; the detail says what stood in the way.
-std::variant<Demonstration, Rejection> demonstrate_in(Mode mode, Rehearsal& rehearsal, const Demonstration& shown);
+std::variant<Demonstration, Rejection> demonstrate_in(Mode mode, ExecutionTree& executions, const Demonstration& shown);
 std::variant<Demonstration, Rejection> demonstrate_in(Mode mode, const Formula& goal, const Scene& start,
                                                       const Knowledge& knowledge, const Profile& profile,
                                                       const Demonstration& shown);

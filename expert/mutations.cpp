@@ -51,8 +51,8 @@ std::vector<Block> blocks_of(const std::vector<Action>& actions) {
 
 class Mutator {
  public:
-  Mutator(Rehearsal& rehearsal, Mode mode)
-      : start_(rehearsal, mode), world_(rehearsal.world()), goal_(rehearsal.goal()) {}
+  Mutator(ExecutionTree& executions, Mode mode)
+      : start_(executions, mode), world_(executions.world()), goal_(executions.goal()) {}
 
   bool survives(const std::vector<Action>& actions) const {
     Rollout rollout = start_;
@@ -151,24 +151,24 @@ class Mutator {
 
 }  // namespace
 
-std::vector<std::string> needless_steps(Rehearsal& rehearsal, const Demonstration& demonstration) {
+std::vector<std::string> needless_steps(ExecutionTree& executions, const Demonstration& demonstration) {
   std::vector<Action> actions;
   for (const DemonstrationStep& step : demonstration.steps) actions.push_back(step.action);
-  const Mutator mutator(rehearsal, demonstration.mode);
+  const Mutator mutator(executions, demonstration.mode);
   std::vector<std::string> surviving;
   mutator.drop_each(actions, surviving);
   mutator.leave_in_hand(actions, surviving);
   mutator.swap_neighbours(actions, surviving);
-  const Trace start{rehearsal.entities(), {rehearsal.facts(rehearsal.world())}};
-  mutator.use_distractors(rehearsal.goal(), start, actions, surviving);
+  const Trace start{executions.entities(), {executions.facts(executions.world())}};
+  mutator.use_distractors(executions.goal(), start, actions, surviving);
   return surviving;
 }
 
 std::vector<std::string> needless_steps(const Formula& goal, const Scene& start, const Demonstration& demonstration,
                                         const Knowledge& knowledge, const Profile& profile) {
-  auto rehearsal = Rehearsal::of(goal, start, knowledge, profile);
-  if (!rehearsal) return {"the start cannot be replayed: " + format(rehearsal.error())};
-  return needless_steps(*rehearsal, demonstration);
+  auto executions = ExecutionTree::of(goal, start, knowledge, profile);
+  if (!executions) return {"the start cannot be replayed: " + format(executions.error())};
+  return needless_steps(*executions, demonstration);
 }
 
 }  // namespace unietp

@@ -5,7 +5,7 @@
 #include <tuple>
 #include <utility>
 
-#include "expert/ways.h"
+#include "expert/achievers.h"
 
 namespace unietp {
 namespace {

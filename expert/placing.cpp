@@ -39,11 +39,11 @@ bool Methods::place(const Literal& literal) {
 
 /// In the middle of the room or, where it would fall on something, elsewhere in it.
 bool Methods::let_fall(const std::string& id, const std::string& room) {
-  const Aim aim{[&](const World& world) {
-                  const auto floors = world.linked_from(id, Predicate::OnFloor);
-                  return std::find(floors.begin(), floors.end(), room) != floors.end();
-                },
-                {}};
+  const Postcondition aim{[&](const World& world) {
+                            const auto floors = world.linked_from(id, Predicate::OnFloor);
+                            return std::find(floors.begin(), floors.end(), room) != floors.end();
+                          },
+                          {}};
   return from_elsewhere({ActionType::Drop, {}}, room, aim);
 }
 
@@ -78,7 +78,7 @@ bool Methods::place_beside(const std::string& id, const std::string& neighbour) 
 /// The neighbour first, to where the other comes to stand beside it.
 bool Methods::put_together(const std::string& id, const std::string& neighbour) {
   if (!hold(neighbour)) return false;
-  const Aim aim{[&](const World& world) { return world.linked(id, Predicate::NextTo, neighbour); }, {}};
+  const Postcondition aim{[&](const World& world) { return world.linked(id, Predicate::NextTo, neighbour); }, {}};
   PutDownOptions ways = put_down_options(neighbour, "", "");
   while (const auto next = ways.next()) {
     const Action& way = *next;
@@ -87,7 +87,7 @@ bool Methods::put_together(const std::string& id, const std::string& neighbour) 
     World trial = attempt_.world();
     if (!std::all_of(steps.begin(), steps.end(), [&](const Action& step) { return trial.step(step).success; }))
       continue;
-    if (!way_to_do(trial, way, neighbour, aim)) continue;
+    if (!steps_to_act(trial, way, neighbour, aim)) continue;
     return std::all_of(steps.begin(), steps.end(), [this](const Action& step) { return attempt_.act(step); }) &&
            from_elsewhere(way, neighbour, aim);
   }
@@ -98,8 +98,8 @@ bool Methods::set_beside(const std::string& id, const std::string& neighbour) {
   const Vec3 size = find(id)->size;
   const Node& other = *find(neighbour);
   const Bounds there = bounds_of(other.pose, other.size);
-  const Aim aim{[&](const World& world) { return world.linked(id, Predicate::NextTo, neighbour); },
-                [&](const Pose& spot) { return side_by_side(bounds_of(spot, size), there); }};
+  const Postcondition aim{[&](const World& world) { return world.linked(id, Predicate::NextTo, neighbour); },
+                          [&](const Pose& spot) { return side_by_side(bounds_of(spot, size), there); }};
   for (const Action& way : ways_beside(neighbour)) {
     if (from_elsewhere(way, neighbour, aim)) return true;
     if (attempt_.exhausted()) return false;
@@ -125,7 +125,7 @@ bool Methods::put_down_in(const std::string& id, const std::string& room) {
   for (const Action& way : tried) {
     if (from_elsewhere(way, way.args.front(), {})) return true;
   }
-  const Aim aim{[&](const World& world) { return world.room_of(id) == room; }, {}};
+  const Postcondition aim{[&](const World& world) { return world.room_of(id) == room; }, {}};
   if (attempt_.situation().profile.offers(ActionType::Drop) && from_elsewhere({ActionType::Drop, {}}, room, aim))
     return true;
   return attempt_.act(ActionType::GoTo, room) && attempt_.act(ActionType::Drop);
@@ -209,7 +209,7 @@ bool Methods::put_in_grasp(const std::string& id, ActionType action, const std::
   const Node* into = find(target);
   const bool shut = action == ActionType::PlaceIn && into != nullptr && into->openable && !is(target, Predicate::Open);
   if (!hold(id) || (shut && !directly(ActionType::Open, target)) || !hold(id)) return put(id, action, target);
-  const Aim aim{[&](const World& world) { return world.in_reach(id); }, {}};
+  const Postcondition aim{[&](const World& world) { return world.in_reach(id); }, {}};
   return from_elsewhere({action, {target}}, target, aim) || put(id, action, target);
 }
 

@@ -21,13 +21,13 @@ Outcome do_in(ModeEpisode& episode, const Action& action) {
   return episode.step(*command);
 }
 
-Rollout::Rollout(Rehearsal& rehearsal, Mode mode)
-    : rehearsal_(&rehearsal), episode_(rehearsal.world(), mode), moments_{rehearsal.world().moment()} {}
+Rollout::Rollout(ExecutionTree& executions, Mode mode)
+    : executions_(&executions), episode_(executions.world(), mode), moments_{executions.world().moment()} {}
 
 Outcome Rollout::go_on(const Action& action) {
   Outcome outcome = do_in(episode_, action);
   if (!outcome.success) return outcome;
-  rehearsal_->read(moments_.back(), episode_.world());
+  executions_->read(moments_.back(), episode_.world());
   moments_.push_back(episode_.world().moment());
   done_.push_back(action);
   return outcome;

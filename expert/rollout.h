@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "expert/rehearsal.h"
+#include "expert/execution_tree.h"
 #include "simulation/mode_episode.h"
 
 namespace unietp {
@@ -16,12 +16,12 @@ std::optional<Command> clearly_said(const ModeEpisode& episode, const Action& ac
 /// Says the action so and does it. What cannot be said fails and does not count.
 Outcome do_in(ModeEpisode& episode, const Action& action);
 
-/// Executes actions from the start of a rehearsal under the rules of a mode, one after the other, whether they succeed
-/// or not. A copy costs next to nothing and is independent.
+/// Executes actions from the start of an execution tree under the rules of a mode, one after the other, whether they
+/// succeed or not. A copy costs next to nothing and is independent.
 class Rollout {
  public:
-  /// The rehearsal must outlive it.
-  Rollout(Rehearsal& rehearsal, Mode mode);
+  /// The tree must outlive it.
+  Rollout(ExecutionTree& executions, Mode mode);
 
   /// Executes one action more, or several.
   Outcome go_on(const Action& action);
@@ -31,10 +31,10 @@ class Rollout {
   /// Those that succeeded.
   const std::vector<Action>& done() const { return done_; }
   /// Truth of the goal, by the direct evaluator, on what happened so far.
-  bool reaches_goal() const { return rehearsal_->reaches_goal(moments_); }
+  bool reaches_goal() const { return executions_->reaches_goal(moments_); }
 
  private:
-  Rehearsal* rehearsal_;
+  ExecutionTree* executions_;
   ModeEpisode episode_;
   std::vector<MomentId> moments_;  // the start, then one after each action that succeeded
   std::vector<Action> done_;

@@ -75,43 +75,43 @@ const Node* Situation::node(EntityIndex index) const {
 EntityIndex Situation::shut_in(EntityIndex index) const {
   if (is_imagined(index)) return shut_in(slice(index).whole);
   auto& known = this->known(index).shut_in;
-  if (!known) known = find(rehearsal_->world().closed_around(entity(index).id)).value_or(kNobody);
+  if (!known) known = find(executions_->world().closed_around(entity(index).id)).value_or(kNobody);
   return *known;
 }
 
 double Situation::straight_m(EntityIndex index) const {
   if (is_imagined(index)) return straight_m(slice(index).whole);
   const Node* here = node(index);
-  return here == nullptr ? 0.0 : std::min(rehearsal_->world().straight_distance(*here), kFar_m);
+  return here == nullptr ? 0.0 : std::min(executions_->world().straight_distance(*here), kFar_m);
 }
 
 double Situation::walk_m(EntityIndex index) const {
   if (is_imagined(index)) return walk_m(slice(index).whole);
   auto& known = this->known(index).walked_m;
   if (!known)
-    known = node(index) == nullptr ? 0.0 : std::min(rehearsal_->world().walking_distance(entity(index).id), kFar_m);
+    known = node(index) == nullptr ? 0.0 : std::min(executions_->world().walking_distance(entity(index).id), kFar_m);
   return *known;
 }
 
 std::optional<EntityIndex> Situation::find(std::string_view id) const {
-  const auto found = rehearsal_->find(id);
+  const auto found = executions_->find(id);
   return found && *found < first_imagined ? found : std::nullopt;
 }
 
-Situation look_around(const Rehearsal& rehearsal, Mode mode) {
-  Situation situation(rehearsal);
-  situation.start = &rehearsal.start();
-  situation.knowledge = &rehearsal.knowledge();
-  situation.profile = rehearsal.profile();
+Situation look_around(const ExecutionTree& executions, Mode mode) {
+  Situation situation(executions);
+  situation.start = &executions.start();
+  situation.knowledge = &executions.knowledge();
+  situation.profile = executions.profile();
   for (const ActionInfo& action : all_actions()) {
     if (!offers(action, mode)) situation.profile.actions[static_cast<std::size_t>(action.type)] = false;
   }
-  situation.trace.states.push_back(rehearsal.facts(rehearsal.world()));
-  situation.trace.entities = rehearsal.entities_at_start();
+  situation.trace.states.push_back(executions.facts(executions.world()));
+  situation.trace.entities = executions.entities_at_start();
   const std::size_t count = situation.trace.entities.size();
   situation.first_imagined = EntityIndex(count);
   situation.known_at_.resize(count);
-  if (ranges_over_slices(rehearsal.goal())) imagine_slices(situation);
+  if (ranges_over_slices(executions.goal())) imagine_slices(situation);
   return situation;
 }
 

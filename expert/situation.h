@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "expert/rehearsal.h"
+#include "expert/execution_tree.h"
 
 namespace unietp {
 
@@ -36,7 +36,7 @@ struct Situation {
   const Node* node(EntityIndex index) const;
   /// The closed container around it, or kNobody; of an imagined slice the one around its whole.
   EntityIndex shut_in(EntityIndex index) const;
-  const NodeIndex& places() const { return rehearsal_->places(); }
+  const NodeIndex& places() const { return executions_->places(); }
   /// Entity of the start by id; nullopt when there is none.
   std::optional<EntityIndex> find(std::string_view id) const;
   /// From where the agent stands, capped at kFar_m; of an imagined slice its whole's.
@@ -51,9 +51,9 @@ struct Situation {
   const ImaginedSlice& slice(EntityIndex index) const { return imagined[index.index() - first_imagined.index()]; }
 
  private:
-  friend Situation look_around(const Rehearsal& rehearsal, Mode mode);
-  explicit Situation(const Rehearsal& rehearsal) : rehearsal_(&rehearsal) {}
-  const Rehearsal* rehearsal_;
+  friend Situation look_around(const ExecutionTree& executions, Mode mode);
+  explicit Situation(const ExecutionTree& executions) : executions_(&executions) {}
+  const ExecutionTree* executions_;
   struct Known {
     std::optional<double> walked_m;
     std::optional<const Node*> node;
@@ -65,8 +65,8 @@ struct Situation {
   mutable std::vector<std::uint32_t> known_at_;  // by entity, from 1; 0 for none
 };
 
-/// The start for one who plans with the actions of a mode. The rehearsal must outlive the situation.
-Situation look_around(const Rehearsal& rehearsal, Mode mode);
+/// The start for one who plans with the actions of a mode. The tree must outlive the situation.
+Situation look_around(const ExecutionTree& executions, Mode mode);
 
 /// True when the formula has one of the operators, at any depth.
 bool has_operator(const Formula& formula, std::initializer_list<Formula::Op> operators);

@@ -56,15 +56,15 @@ std::string to_text(const Literal& literal, const Situation& situation) {
   return (literal.positive ? "" : "not ") + text + ")";
 }
 
-Truths truths_of(std::vector<Literal> literals) {
+LiteralSets literal_sets(std::vector<Literal> literals) {
   sort_unique(literals);
-  Truths standing;
+  LiteralSets standing;
   for (Literal& literal : literals) (literal.positive ? standing.yes : standing.no).push_back(std::move(literal));
   return standing;
 }
 
-Truths together(const Truths& a, const Truths& b) {
-  Truths all;
+LiteralSets together(const LiteralSets& a, const LiteralSets& b) {
+  LiteralSets all;
   std::set_union(a.yes.begin(), a.yes.end(), b.yes.begin(), b.yes.end(), std::back_inserter(all.yes));
   std::set_union(a.no.begin(), a.no.end(), b.no.begin(), b.no.end(), std::back_inserter(all.no));
   return all;
@@ -119,7 +119,7 @@ bool clash(const Literal& a, const Literal& b, const Situation& situation) {
   return exclude_each_other(a.predicate, b.predicate);
 }
 
-bool clash(const Literal& change, const Truths& standing, const Situation& situation) {
+bool clash(const Literal& change, const LiteralSets& standing, const Situation& situation) {
   Literal opposite = change;
   opposite.positive = !change.positive;
   const auto& contrary = opposite.positive ? standing.yes : standing.no;

@@ -22,7 +22,7 @@ struct Literal {
 /// For messages: "not inside(mug_1, fridge_1)".
 std::string to_text(const Literal& literal, const Situation& situation);
 
-/// Truths that have to hold together at one position of the trace.
+/// Literals that have to hold together at one position of the trace.
 struct Moment {
   std::vector<Literal> literals;   // sorted
   std::vector<std::size_t> after;  // moments that must have come earlier
@@ -38,22 +38,22 @@ struct MaintenanceGoal {
   bool inclusive = false;
 };
 
-/// Truths that hold at the start, sorted; those that something holds, and those that it does not.
-struct Truths {
+/// Literals that hold at the start, sorted; those that something holds, and those that it does not.
+struct LiteralSets {
   std::vector<Literal> yes, no;
-  bool operator==(const Truths&) const = default;
+  bool operator==(const LiteralSets&) const = default;
 };
 /// Sorted and split by `positive`.
-Truths truths_of(std::vector<Literal> literals);
+LiteralSets literal_sets(std::vector<Literal> literals);
 /// What holds in both.
-Truths together(const Truths& a, const Truths& b);
+LiteralSets together(const LiteralSets& a, const LiteralSets& b);
 
 /// One way to meet a goal: every choice of witness, branch and number is made; only the order is open.
 struct Alternative {
   std::vector<Literal> end;  // sorted; not yet true at the start
   /// What holds at the start and must still hold at the end, nullptr for nothing. "None of them on any of those" is
   /// thousands of truths, which the ways to meet the rest of a goal have in common.
-  std::shared_ptr<const Truths> standing;
+  std::shared_ptr<const LiteralSets> standing;
   std::vector<Moment> moments;
   std::vector<MaintenanceGoal> maintained;
   double cost = 0;  // estimated actions, plus a little for the way
@@ -70,5 +70,5 @@ bool holds_in(const Literal& literal, const Facts& facts);
 /// Can never hold together: opposite truths, two states of one group, one thing in two places, more held than hands.
 bool clash(const Literal& a, const Literal& b, const Situation& situation);
 /// A truth to bring about that cannot hold together with some of those.
-bool clash(const Literal& change, const Truths& standing, const Situation& situation);
+bool clash(const Literal& change, const LiteralSets& standing, const Situation& situation);
 }  // namespace unietp

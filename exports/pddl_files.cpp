@@ -5,9 +5,9 @@
 #include "core/text.h"
 #include "exports/formats.h"
 #include "exports/task_folder.h"
-#include "pddl/cast.h"
 #include "pddl/domain.h"
 #include "pddl/plan.h"
+#include "pddl/problem_objects.h"
 #include "symbolic/from_scene.h"
 
 namespace unietp {
@@ -65,7 +65,7 @@ Result<std::optional<std::string>> say(const FinishedTask& finished, const std::
   const ActionProfile profile = profile_with(backend.profile->actions);
   const PlannedActions done = planned_actions(finished.shown.at(Mode::M1));
   const symbolic::SceneSymbols symbols(finished.start, knowledge, profile,
-                                       pddl::cast_of(finished.start, knowledge, task.goal_tree, done.handled));
+                                       pddl::problem_objects(finished.start, knowledge, task.goal_tree, done.handled));
   const auto goal = symbols.goal(task.goal_tree);
   const auto problem = pddl::problem_for(task.id, finished.start.simulator, symbols.setting, symbols.start, goal);
   if (!problem) return std::optional(problem.error().message);

@@ -6,7 +6,7 @@
 namespace unietp {
 namespace {
 
-using symbolic::Where;
+using symbolic::PlaceKind;
 
 }  // namespace
 
@@ -15,11 +15,11 @@ void StartDraft::make(const StartLiteral& literal, Id thing, bool truth) {
   if (truth) return make_relation(literal, thing);
   constexpr int kTries = 8;
   for (int i = 0; i < kTries && is_true(literal, thing); ++i) move_anywhere(thing);
-  if (is_true(literal, thing)) put(thing, Where::Floor, world().room);
+  if (is_true(literal, thing)) put(thing, PlaceKind::Floor, world().room);
 }
 
 bool StartDraft::set_attribute(const StartLiteral& literal, Id thing) {
-  auto& role = start_.setting.cast.role(thing);
+  auto& role = start_.setting.objects.object(thing);
   const auto& kind = setting().kind_of(thing);
   const auto set = [&](std::string& own, std::vector<std::string> others) {
     own = literal.symbol == "any" ? "" : literal.symbol;
@@ -75,7 +75,7 @@ void StartDraft::make_relation(const StartLiteral& literal, Id thing) {
       const Id room = rng_.pick(rooms);
       const Id root = symbolic::root_of(world(), thing);
       const bool with_its_place = literal.predicate == Predicate::InRoom && rng_.chance(0.5);
-      return put(with_its_place ? root : thing, Where::Floor, room);
+      return put(with_its_place ? root : thing, PlaceKind::Floor, room);
     }
     case Predicate::On:
     case Predicate::Inside: {
@@ -84,12 +84,12 @@ void StartDraft::make_relation(const StartLiteral& literal, Id thing) {
         if (can_be_put(thing, literal.predicate, place)) places.push_back(place);
       }
       if (!places.empty())
-        put(thing, literal.predicate == Predicate::On ? Where::On : Where::Inside, rng_.pick(places));
+        put(thing, literal.predicate == Predicate::On ? PlaceKind::On : PlaceKind::Inside, rng_.pick(places));
       return;
     }
     case Predicate::Nearest: {
       const Id root = symbolic::root_of(world(), thing);
-      start_.setting.cast.role(root).spot_m = rng_.unit() * kHomeLength_m;
+      start_.setting.objects.object(root).spot_m = rng_.unit() * kHomeLength_m;
       return;
     }
     default: {
@@ -99,12 +99,12 @@ void StartDraft::make_relation(const StartLiteral& literal, Id thing) {
       const Id other = rng_.pick(others);
       const bool under = literal.predicate == Predicate::Under;
       const auto& host = world()[other];
-      if (!under && host.where == Where::Floor) {
-        put(thing, Where::Floor, host.at);
+      if (!under && host.where == PlaceKind::Floor) {
+        put(thing, PlaceKind::Floor, host.at);
       } else if (under) {
-        put(thing, Where::Floor, symbolic::room_of(world(), other));
+        put(thing, PlaceKind::Floor, symbolic::room_of(world(), other));
       } else if (kind.movable &&
-                 can_be_put(thing, host.where == Where::On ? Predicate::On : Predicate::Inside, host.at)) {
+                 can_be_put(thing, host.where == PlaceKind::On ? Predicate::On : Predicate::Inside, host.at)) {
         put(thing, host.where, host.at);
       } else {
         return move_anywhere(other);

@@ -16,7 +16,7 @@ std::string text_of(const symbolic::Atom& atom, const symbolic::Setting& setting
     if (id == symbolic::kAgent) {
       text += "agent";
     } else {
-      text += id.is_room() ? setting.cast.room(id).type : setting.kind_of(id).category;
+      text += id.is_room() ? setting.objects.room(id).type : setting.kind_of(id).category;
     }
   }
   if (atom.symbol) text += " " + setting.rules->symbols()[atom.symbol->index()];

@@ -34,8 +34,9 @@ bool asks_for_wide(const Formula& formula) {
   return std::any_of(formula.children.begin(), formula.children.end(), asks_for_wide);
 }
 
-symbolic::Offer offer_for(const Specification& specification, Simulator simulator) {
-  return symbolic::offer_of(simulator, asks_for_wide(specification.goal) ? ActionProfile::Wide : ActionProfile::Unietp);
+symbolic::Capabilities offer_for(const Specification& specification, Simulator simulator) {
+  return symbolic::capabilities_of(simulator,
+                                   asks_for_wide(specification.goal) ? ActionProfile::Wide : ActionProfile::Unietp);
 }
 
 std::vector<std::string> names_in(const Specification& specification) {

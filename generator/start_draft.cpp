@@ -8,7 +8,7 @@ namespace unietp {
 namespace {
 
 using symbolic::kNobody;
-using symbolic::Where;
+using symbolic::PlaceKind;
 
 constexpr double kHoused = 0.6;   // share of objects on or in something, not on a floor
 constexpr double kCovered = 0.3;  // of what can be covered
@@ -19,8 +19,8 @@ constexpr double kStray = 0.1;    // of the changes are blind, to leave dead end
 StartDraft::StartDraft(const StartDemands& demands, Rng& rng) : demands_(demands), rng_(rng) {
   start_.setting.rules = &demands.rules;
   start_.setting.with_nearest = demands.with_nearest;
-  for (const auto& type : demands.rooms) start_.setting.cast.rooms.push_back({type + "_1", type});
-  start_.setting.cast.rooms.push_back({"elsewhere_1", "elsewhere"});
+  for (const auto& type : demands.rooms) start_.setting.objects.rooms.push_back({type + "_1", type});
+  start_.setting.objects.rooms.push_back({"elsewhere_1", "elsewhere"});
   world().room = Id::room(demands.rooms.size());
   add_things();
   read_constraints();
@@ -28,17 +28,17 @@ StartDraft::StartDraft(const StartDemands& demands, Rng& rng) : demands_(demands
 }
 
 void StartDraft::add_things() {
-  auto& cast = start_.setting.cast;
+  auto& objects = start_.setting.objects;
   const auto& rules = demands_.rules;
   for (const auto& amount : demands_.amounts) {
     const auto& kind = rules.kind(amount.kind);
     const auto extra = static_cast<int>(rng_.below(static_cast<std::uint64_t>(amount.most - amount.least) + 1));
     for (int i = 0; i < amount.least + extra; ++i) {
-      symbolic::Role role;
+      symbolic::ObjectEntry role;
       role.id = kind.category + "_" + std::to_string(i + 1);
       role.kind = amount.kind;
       role.spot_m = rng_.unit() * kHomeLength_m;
-      cast.things.push_back(std::move(role));
+      objects.things.push_back(std::move(role));
       world().things.emplace_back();
       const auto id = Id::thing(world().things.size() - 1);
       draw_states(id);
@@ -53,7 +53,7 @@ void StartDraft::add_things() {
 void StartDraft::draw_states(Id id) {
   const auto& rules = demands_.rules;
   const auto& kind = setting().kind_of(id);
-  auto& role = start_.setting.cast.role(id);
+  auto& role = start_.setting.objects.object(id);
   if (!kind.colours.empty()) role.colour = rng_.pick(kind.colours);
   if (!kind.materials.empty()) role.material = rng_.pick(kind.materials);
   role.size = rng_.chance(0.5) ? "small" : "large";
@@ -86,7 +86,7 @@ void StartDraft::find_broken() {
   }
 }
 
-symbolic::Id StartDraft::random_room() { return Id::room(rng_.below(setting().cast.rooms.size())); }
+symbolic::Id StartDraft::random_room() { return Id::room(rng_.below(setting().objects.rooms.size())); }
 
 bool StartDraft::can_be_put(Id thing, Predicate relation, Id place) const {
   const auto& world = start_.world;
@@ -94,7 +94,7 @@ bool StartDraft::can_be_put(Id thing, Predicate relation, Id place) const {
          symbolic::has_room(setting(), world, thing, relation, place);
 }
 
-void StartDraft::put(Id thing, Where where, Id at) {
+void StartDraft::put(Id thing, PlaceKind where, Id at) {
   auto& changed = world()[thing];
   changed.where = where;
   changed.at = at;
@@ -106,14 +106,14 @@ void StartDraft::put(Id thing, Where where, Id at) {
 
 void StartDraft::move_anywhere(Id thing) {
   // Of furniture only small appliances stand on anything, and not all of them.
-  if (!setting().kind_of(thing).movable && rng_.chance(0.5)) return put(thing, Where::Floor, random_room());
-  std::vector<std::pair<Where, Id>> places;
+  if (!setting().kind_of(thing).movable && rng_.chance(0.5)) return put(thing, PlaceKind::Floor, random_room());
+  std::vector<std::pair<PlaceKind, Id>> places;
   for (std::size_t i = 0; i < world().things.size(); ++i) {
     const auto place = Id::thing(i);
-    if (can_be_put(thing, Predicate::On, place)) places.emplace_back(Where::On, place);
-    if (can_be_put(thing, Predicate::Inside, place)) places.emplace_back(Where::Inside, place);
+    if (can_be_put(thing, Predicate::On, place)) places.emplace_back(PlaceKind::On, place);
+    if (can_be_put(thing, Predicate::Inside, place)) places.emplace_back(PlaceKind::Inside, place);
   }
-  if (places.empty() || !rng_.chance(kHoused)) return put(thing, Where::Floor, random_room());
+  if (places.empty() || !rng_.chance(kHoused)) return put(thing, PlaceKind::Floor, random_room());
   const auto [where, at] = rng_.pick(places);
   put(thing, where, at);
 }
@@ -133,8 +133,8 @@ std::vector<symbolic::Id> StartDraft::things_of(const Domain& domain) const {
 
 std::vector<symbolic::Id> StartDraft::rooms_of(const Domain& domain) const {
   std::vector<Id> found;
-  for (std::size_t r = 0; r < setting().cast.rooms.size(); ++r) {
-    const auto& type = setting().cast.rooms[r].type;
+  for (std::size_t r = 0; r < setting().objects.rooms.size(); ++r) {
+    const auto& type = setting().objects.rooms[r].type;
     const bool is_of = domain.kind == Domain::Kind::Room ||
                        std::any_of(domain.members.begin(), domain.members.end(),
                                    [&](const Domain::Member& member) { return member.category == type; });
@@ -153,7 +153,7 @@ bool StartDraft::is_true(const StartLiteral& literal, Id thing) const {
     }
     return false;
   }
-  const auto& role = setting().cast.role(thing);
+  const auto& role = setting().objects.object(thing);
   const auto is = [&](const std::string& own) {
     return own == literal.symbol || (literal.symbol == "any" && !own.empty());
   };

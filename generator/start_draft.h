@@ -36,7 +36,7 @@ class StartDraft {
   void find_broken();
   void move_anywhere(Id thing);
   bool can_be_put(Id thing, Predicate relation, Id place) const;
-  void put(Id thing, symbolic::Where where, Id at);
+  void put(Id thing, symbolic::PlaceKind where, Id at);
   Id random_room();
   std::vector<Id> things_of(const Domain& domain) const;
   std::vector<Id> rooms_of(const Domain& domain) const;

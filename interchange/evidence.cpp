@@ -5,7 +5,7 @@
 
 #include "interchange/boxes.h"
 #include "interchange/draft.h"
-#include "interchange/holders.h"
+#include "interchange/supports.h"
 #include "simulation/shape.h"
 
 namespace unietp {
@@ -252,7 +252,7 @@ class Evidence {
 
   SharedList<Node>& nodes_;
   std::vector<Bounds> boxes_;  // W, as the joints stand
-  Holders holders_;
+  Supports holders_;
 };
 
 }  // namespace

@@ -35,20 +35,20 @@ ChatFailure failure_of(const HttpAnswer& ended, const std::string& key) {
 
 }  // namespace
 
-void Holdback::until(Time time) {
+void ServerPause::until(Time time) {
   const std::scoped_lock lock(mutex_);
   time_ = std::max(time_, time);
 }
 
-Holdback::Time Holdback::until() const {
+ServerPause::Time ServerPause::until() const {
   const std::scoped_lock lock(mutex_);
   return time_;
 }
 
-ChatClient::ChatClient(LlmEndpoint endpoint, const ChatOptions& options, std::shared_ptr<Holdback> holdback)
+ChatClient::ChatClient(LlmEndpoint endpoint, const ChatOptions& options, std::shared_ptr<ServerPause> server_pause)
     : endpoint_(std::move(endpoint)),
       options_(options),
-      holdback_(std::move(holdback)),
+      server_pause_(std::move(server_pause)),
       transport_(std::make_unique<Transport>(endpoint_, options.attempt_s)) {}
 ChatClient::~ChatClient() = default;
 
@@ -72,7 +72,7 @@ std::variant<ChatReply, ChatFailure> ChatClient::attempt(const std::string& body
   if (const auto asked = retry_after_s(answer.retry_after, answer.date); asked && passes(failure)) {
     asked_wait_s = std::min(*asked, options_.longest_wait_s);
     if (answer.status == 429 || answer.status == 503)
-      holdback_->until(Holdback::Clock::now() + seconds_long(asked_wait_s));
+      server_pause_->until(ServerPause::Clock::now() + seconds_long(asked_wait_s));
   }
   return failure;
 }
@@ -80,7 +80,7 @@ std::variant<ChatReply, ChatFailure> ChatClient::attempt(const std::string& body
 ChatAnswer ChatClient::ask(const std::string& body, Rng rng) {
   double wait_s = options_.first_wait_s;
   for (int attempts = 1;; ++attempts) {
-    if (!pause_until(holdback_->until(), options_.stop)) return {stopped_failure(), attempts - 1};
+    if (!pause_until(server_pause_->until(), options_.stop)) return {stopped_failure(), attempts - 1};
     double asked_wait_s = -1;
     auto result = attempt(body, asked_wait_s);
     const auto* failure = std::get_if<ChatFailure>(&result);
@@ -89,7 +89,8 @@ ChatAnswer ChatClient::ask(const std::string& body, Rng rng) {
     const double pause =
         asked_wait_s >= 0 ? asked_wait_s : std::min(wait_s * (1 + rng.unit()), options_.longest_wait_s);
     wait_s *= 2;
-    if (!pause_until(Holdback::Clock::now() + seconds_long(pause), options_.stop)) return {stopped_failure(), attempts};
+    if (!pause_until(ServerPause::Clock::now() + seconds_long(pause), options_.stop))
+      return {stopped_failure(), attempts};
   }
 }
 

@@ -18,7 +18,7 @@ namespace unietp {
 class Transport;
 
 /// Until when a server wants to be left alone. Shared by all clients of a server, on several threads.
-class Holdback {
+class ServerPause {
  public:
   using Clock = std::chrono::steady_clock;
   using Time = Clock::time_point;
@@ -56,12 +56,12 @@ struct ChatAnswer {
 
 /// Asks one chat after the other, each until there is a chat completion. Tried again: 408, 425, 429, 5xx, time-outs,
 /// broken connections, and answers that are no chat completions or too long; after waits as Retry-After says or
-/// doubling ones with jitter. A 429 or 503 with Retry-After holds back all clients with the same Holdback. What a
+/// doubling ones with jitter. A 429 or 503 with Retry-After holds back all clients with the same ServerPause. What a
 /// completion says is the model's and never asked again. One client belongs to one thread.
 class ChatClient {
  public:
-  /// `holdback` is never null. The endpoint's url is whole (chat_url).
-  ChatClient(LlmEndpoint endpoint, const ChatOptions& options, std::shared_ptr<Holdback> holdback);
+  /// `server_pause` is never null. The endpoint's url is whole (chat_url).
+  ChatClient(LlmEndpoint endpoint, const ChatOptions& options, std::shared_ptr<ServerPause> server_pause);
   ~ChatClient();
 
   /// `body`: of chat_body. `rng`: of the random part of the waits.
@@ -73,7 +73,7 @@ class ChatClient {
 
   LlmEndpoint endpoint_;
   ChatOptions options_;
-  std::shared_ptr<Holdback> holdback_;
+  std::shared_ptr<ServerPause> server_pause_;
   std::unique_ptr<Transport> transport_;
 };
 

@@ -15,7 +15,7 @@ struct Monitor::Impl {
   Program program;
   Residuals residuals;
   Part root;
-  Known known;
+  KnownEntities known;
   EntityList entities;    // as last given, so that reports can name them
   std::vector<bool> met;  // by entity: it has existed
   std::size_t live = 0;   // residuals kept by the last clearing out
@@ -95,7 +95,7 @@ void Monitor::observe(const EntityList& entities, const Facts& facts) {
 bool Monitor::satisfied() const { return impl_->started && impl_->root.now; }
 
 bool Monitor::hopeless() const {
-  return impl_->started && !impl_->root.now && outlook_of(impl_->root, impl_->program) == Outlook::Lost;
+  return impl_->started && !impl_->root.now && verdict_of(impl_->root, impl_->program) == PartVerdict::Violated;
 }
 
 double Monitor::progress() const {

@@ -50,28 +50,28 @@ bool value_of(const Part& part, const Node& node) {
   return compare_with_zero(node.relation, total);
 }
 
-Outlook outlook_of_sum(const Part& part, const Node& node, const Program& program) {
+PartVerdict verdict_of_sum(const Part& part, const Node& node, const Program& program) {
   constexpr int kMany = 1 << 28;
   int low = node.constant, high = node.constant;
   for (const auto& group : part.groups) {
     for (const auto& inner : group.parts) {
-      const Outlook outlook = outlook_of(inner, program);
-      const int lowest = outlook == Outlook::Won ? group.weight : std::min(0, group.weight);
-      const int highest = outlook == Outlook::Won ? group.weight : std::max(0, group.weight);
-      low += outlook == Outlook::Lost ? 0 : lowest;
-      high += outlook == Outlook::Lost ? 0 : highest;
+      const PartVerdict verdict = verdict_of(inner, program);
+      const int lowest = verdict == PartVerdict::Satisfied ? group.weight : std::min(0, group.weight);
+      const int highest = verdict == PartVerdict::Satisfied ? group.weight : std::max(0, group.weight);
+      low += verdict == PartVerdict::Violated ? 0 : lowest;
+      high += verdict == PartVerdict::Violated ? 0 : highest;
     }
     for (const auto& inner : group.waiting) {
-      if (outlook_of(inner, program) != Outlook::Lost) (group.weight > 0 ? high : low) += group.weight * kMany;
+      if (verdict_of(inner, program) != PartVerdict::Violated) (group.weight > 0 ? high : low) += group.weight * kMany;
     }
   }
-  if (low == high) return compare_with_zero(node.relation, low) ? Outlook::Won : Outlook::Lost;
+  if (low == high) return compare_with_zero(node.relation, low) ? PartVerdict::Satisfied : PartVerdict::Violated;
   const bool outside = low > 0 || high < 0;
-  if (node.relation == Relation::Equal) return outside ? Outlook::Lost : Outlook::Open;
-  if (node.relation == Relation::Unequal) return outside ? Outlook::Won : Outlook::Open;
+  if (node.relation == Relation::Equal) return outside ? PartVerdict::Violated : PartVerdict::Undecided;
+  if (node.relation == Relation::Unequal) return outside ? PartVerdict::Satisfied : PartVerdict::Undecided;
   const bool at_low = compare_with_zero(node.relation, low);
-  if (at_low != compare_with_zero(node.relation, high)) return Outlook::Open;
-  return at_low ? Outlook::Won : Outlook::Lost;
+  if (at_low != compare_with_zero(node.relation, high)) return PartVerdict::Undecided;
+  return at_low ? PartVerdict::Satisfied : PartVerdict::Violated;
 }
 
 }  // namespace
@@ -107,7 +107,8 @@ Part build_part(const Program& program, NodeId id, Residuals& residuals) {
   return part;
 }
 
-void update_part(Part& part, const Program& program, const Known& known, Residuals& residuals, Progression& step) {
+void update_part(Part& part, const Program& program, const KnownEntities& known, Residuals& residuals,
+                 Progression& step) {
   if (part.groups.empty()) {
     part.now = step.holds_now(part.residual);
     part.residual = step.advance(part.residual);
@@ -132,24 +133,26 @@ void update_part(Part& part, const Program& program, const Known& known, Residua
   part.now = value_of(part, node);
 }
 
-Outlook outlook_of(const Part& part, const Program& program) {
+PartVerdict verdict_of(const Part& part, const Program& program) {
   if (part.groups.empty()) {
-    return part.residual == kFalse ? Outlook::Lost : part.residual == kTrue ? Outlook::Won : Outlook::Open;
+    return part.residual == kFalse  ? PartVerdict::Violated
+           : part.residual == kTrue ? PartVerdict::Satisfied
+                                    : PartVerdict::Undecided;
   }
   const Node& node = program.nodes[part.node];
-  if (node.kind == Kind::Sum) return outlook_of_sum(part, node, program);
+  if (node.kind == Kind::Sum) return verdict_of_sum(part, node, program);
   const bool conjunctive = node.kind == Kind::And || node.kind == Kind::Forall;
-  const Outlook decisive = conjunctive ? Outlook::Lost : Outlook::Won;
-  Outlook result = conjunctive ? Outlook::Won : Outlook::Lost;
+  const PartVerdict decisive = conjunctive ? PartVerdict::Violated : PartVerdict::Satisfied;
+  PartVerdict result = conjunctive ? PartVerdict::Satisfied : PartVerdict::Violated;
   const auto& group = part.groups.front();
   for (const auto& inner : group.parts) {
-    const Outlook outlook = outlook_of(inner, program);
-    if (outlook == decisive) return decisive;
-    if (outlook == Outlook::Open) result = Outlook::Open;
+    const PartVerdict verdict = verdict_of(inner, program);
+    if (verdict == decisive) return decisive;
+    if (verdict == PartVerdict::Undecided) result = PartVerdict::Undecided;
   }
   // An object that is yet to appear may never do so: it can keep the question open, not decide it.
   for (const auto& inner : group.waiting) {
-    if (outlook_of(inner, program) != result) result = Outlook::Open;
+    if (verdict_of(inner, program) != result) result = PartVerdict::Undecided;
   }
   return result;
 }

@@ -27,11 +27,12 @@ struct Part {
 /// The part of a node before the first state.
 Part build_part(const Program& program, NodeId node, Residuals& residuals);
 /// Takes in the last state: new objects get instances, residuals advance.
-void update_part(Part& part, const Program& program, const Known& known, Residuals& residuals, Progression& step);
+void update_part(Part& part, const Program& program, const KnownEntities& known, Residuals& residuals,
+                 Progression& step);
 
 /// Whether every continuation makes the part false (`Lost`) or true (`Won`); `Open` where that is not known.
-enum class Outlook : std::uint8_t { Lost, Won, Open };
-/// The outlook of one part after the states so far.
-Outlook outlook_of(const Part& part, const Program& program);
+enum class PartVerdict : std::uint8_t { Violated, Satisfied, Undecided };
+/// The verdict of one part after the states so far.
+PartVerdict verdict_of(const Part& part, const Program& program);
 
 }  // namespace unietp::monitoring

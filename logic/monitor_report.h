@@ -10,7 +10,7 @@ namespace unietp::monitoring {
 /// Reports on the last state: how much of a goal is met and, in English, what is missing.
 class Report {
  public:
-  Report(const Program& program, const Known& known, const EntityList& entities, Residuals& residuals)
+  Report(const Program& program, const KnownEntities& known, const EntityList& entities, Residuals& residuals)
       : program_(program),
         known_(known),
         entities_(entities),
@@ -39,7 +39,7 @@ class Report {
   std::string formula_words(const Node& node) const;
 
   const Program& program_;
-  const Known& known_;
+  const KnownEntities& known_;
   const EntityList& entities_;
   Residuals& residuals_;
   Progression step_;

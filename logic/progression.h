@@ -8,7 +8,7 @@
 namespace unietp::monitoring {
 
 /// What a monitor knows of the scene: the entities that have existed so far, sorted into the domains of the goal.
-struct Known {
+struct KnownEntities {
   std::vector<std::vector<EntityIndex>> members;  // by slot, in order of appearance
   std::vector<std::size_t> fresh_from;            // by slot: members from here on are new in the last state
   std::optional<EntityIndex> agent;
@@ -20,7 +20,7 @@ struct Known {
 /// starts as waiting: for an entity that is yet to appear, of which nothing holds in this state.
 class Progression {
  public:
-  Progression(const Program& program, const Known& known, Residuals& residuals)
+  Progression(const Program& program, const KnownEntities& known, Residuals& residuals)
       : program_(program), known_(known), residuals_(residuals), facts_(&known.last) {
     for (Slot slot = 0; slot < program.quantifiers.size(); ++slot) values_.push_back(Value::waiting(slot));
   }
@@ -54,7 +54,7 @@ class Progression {
   Ref compute_advance(Ref ref);
 
   const Program& program_;
-  const Known& known_;
+  const KnownEntities& known_;
   Residuals& residuals_;
   const Facts* facts_;         // the last state; inside a guard, the first
   std::vector<Value> values_;  // by slot

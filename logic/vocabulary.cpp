@@ -72,6 +72,43 @@ constexpr bool in_order_of_the_enum() {
 }
 static_assert(in_order_of_the_enum());
 
+constexpr std::array<AffordanceInfo, 24> kAffordances = {{
+    {"burnable", "can be burnt"},
+    {"breakable", "can be broken"},
+    {"consumable", "can be used up"},
+    {"container", "objects go into it"},
+    {"cookable", "can be cooked"},
+    {"coverable", "a substance can be spread on it"},
+    {"dirtyable", "can be dirty, and cleaned"},
+    {"drain", "what is poured into it is lost"},
+    {"fillable", "can hold a liquid"},
+    {"foldable", "can be folded"},
+    {"freezable", "can be frozen"},
+    {"heatable", "can be hot or cold"},
+    {"heat_source", "makes other objects hot"},
+    {"cold_source", "makes other objects cold"},
+    {"lieable", "the agent can lie on it"},
+    {"openable", "can be opened and closed"},
+    {"pickupable", "the agent can carry it"},
+    {"pluggable", "can be plugged in"},
+    {"readable", "the agent can read it"},
+    {"receptacle", "objects stand on it"},
+    {"sittable", "the agent can sit on it"},
+    {"sliceable", "can be cut into slices"},
+    {"soakable", "can be soaked, as cloths and sponges are"},
+    {"switchable", "can be switched on and off"},
+}};
+
+constexpr bool every_group_is_an_affordance() {
+  for (const PredicateInfo& row : kPredicates) {
+    bool found = row.group.empty();
+    for (const AffordanceInfo& affordance : kAffordances) found = found || affordance.name == row.group;
+    if (!found) return false;
+  }
+  return true;
+}
+static_assert(every_group_is_an_affordance());
+
 }  // namespace
 
 const PredicateInfo& info(Predicate predicate) {
@@ -88,5 +125,7 @@ std::optional<Predicate> predicate_named(std::string_view name) {
 }
 
 std::span<const PredicateInfo> all_predicates() { return kPredicates; }
+
+std::span<const AffordanceInfo> all_affordances() { return kAffordances; }
 
 }  // namespace unietp

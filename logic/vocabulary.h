@@ -81,11 +81,20 @@ struct PredicateInfo {
   bool telling = false;  // tells one object from another at a glance, and stays until the agent changes it
 };
 
+/// What can be done to the objects of a category, or what they can do: the states that they have and the actions that
+/// they take part in.
+struct AffordanceInfo {
+  std::string_view name;     // "openable"
+  std::string_view meaning;  // "can be opened and closed"
+};
+
 /// The row of a predicate. Every predicate has one.
 const PredicateInfo& info(Predicate predicate);
 /// The predicate of this name, or nullopt.
 std::optional<Predicate> predicate_named(std::string_view name);
 /// All predicates in the order of the enum.
 std::span<const PredicateInfo> all_predicates();
+/// All affordances that categories may have.
+std::span<const AffordanceInfo> all_affordances();
 
 }  // namespace unietp

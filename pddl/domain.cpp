@@ -44,7 +44,9 @@ std::vector<std::string_view> affordances_for(const ActionSet& offered) {
   for (const ActionInfo& action : extension_actions()) {
     const bool asks = std::any_of(action.needs.begin(), action.needs.end(),
                                   [](const ActionNeed& need) { return need.kind == ActionNeed::Kind::Affordance; });
-    if (asks && offered[static_cast<std::size_t>(action.type)]) affordances.push_back(affordance_for(action));
+    const auto name = affordance_for(action);  // actions may share one: fold and unfold
+    const bool listed = std::find(affordances.begin(), affordances.end(), name) != affordances.end();
+    if (asks && !listed && offered[static_cast<std::size_t>(action.type)]) affordances.push_back(name);
   }
   return affordances;
 }

@@ -283,7 +283,7 @@ std::optional<std::string> fact_of(const symbolic::Atom& atom, const Problem& na
       break;
   }
   const auto& all = all_watched();
-  const bool known = std::any_of(all.begin(), all.end(), [&](const Watched& watched) {
+  const bool known = std::any_of(all.begin(), all.end(), [&](const MonitoredPredicate& watched) {
     return watched.predicate == atom.predicate && watched.name == word && watched.variables == "?x";
   });
   if (!known) return std::nullopt;

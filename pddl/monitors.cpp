@@ -5,15 +5,15 @@
 namespace unietp::pddl {
 namespace {
 
-std::string sees(const Watched& watched, bool negative) {
+std::string sees(const MonitoredPredicate& watched, bool negative) {
   return "(watches-" + std::string(negative ? "not-" : "") + watched.name + " ?m " + watched.variables + ")";
 }
 
 }  // namespace
 
-const std::vector<Watched>& all_watched() {
+const std::vector<MonitoredPredicate>& all_watched() {
   static const auto kAll = [] {
-    std::vector<Watched> all;
+    std::vector<MonitoredPredicate> all;
     for (const auto& group : state_groups()) {
       for (const auto state : group.predicates)
         all.push_back({state, std::string(info(state).name), "?x - thing", "?x"});
@@ -37,8 +37,8 @@ const std::vector<Watched>& all_watched() {
   return kAll;
 }
 
-std::vector<Watched> watched_with(const ActionSet& offered) {
-  std::vector<Watched> found;
+std::vector<MonitoredPredicate> watched_with(const ActionSet& offered) {
+  std::vector<MonitoredPredicate> found;
   for (const auto& watched : all_watched()) {
     const auto action = direct_action(watched.predicate);
     const bool extension = info(watched.predicate).group.empty() && action && is_extension(*action);

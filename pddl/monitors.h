@@ -10,16 +10,16 @@
 namespace unietp::pddl {
 
 /// A predicate that a monitor can watch: any that an action may change.
-struct Watched {
+struct MonitoredPredicate {
   Predicate predicate;
   std::string name;       // as a predicate of the domain
   std::string arguments;  // typed: "?x - thing ?y - room"
   std::string variables;  // "?x ?y"
 };
 /// What every domain has, then the states that only an extension action sets and no other takes away.
-const std::vector<Watched>& all_watched();
+const std::vector<MonitoredPredicate>& all_watched();
 /// Those that a domain with these actions has.
-std::vector<Watched> watched_with(const ActionSet& offered);
+std::vector<MonitoredPredicate> watched_with(const ActionSet& offered);
 
 /// Temporal operators for planners that have none. A problem that needs them contains (watching) and declares its
 /// monitors; then each action must be followed by `note`, which evaluates what each monitor watches, and `judge`, which

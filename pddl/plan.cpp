@@ -36,7 +36,8 @@ class StepWriter {
       case ActionType::Drop:
         return "(" + word + held() + " " + name(world_.room) + ")";
       case ActionType::TurnOn: {
-        const bool shuts = setting_.kind_of(step.target).shuts_to_run && setting_.rules->offer().power_needs_closed;
+        const bool shuts =
+            setting_.kind_of(step.target).shuts_to_run && setting_.rules->capabilities().power_needs_closed;
         return shuts ? "(" + word + "-shut" + at() + ")" : on_target;
       }
       case ActionType::PourTo: {
@@ -126,7 +127,7 @@ class PlanWriter {
 
   /// Pieces have other names in physics: the n-th cut from a whole is the n-th here.
   Id id_of(const std::string& name) const {
-    if (const Id id = setting_.cast.named(name); id != kNobody) return id;
+    if (const Id id = setting_.objects.named(name); id != kNobody) return id;
     for (const auto& [piece, whole] : pieces_) {
       if (piece != name) continue;
       std::size_t place = 0;
@@ -134,9 +135,9 @@ class PlanWriter {
         if (other == piece) break;
         if (same == whole) ++place;
       }
-      const Id cut = setting_.cast.named(whole);
+      const Id cut = setting_.objects.named(whole);
       for (std::size_t i = 0; i < world_.things.size(); ++i) {
-        if (setting_.cast.things[i].whole == cut && place-- == 0) return Id::thing(i);
+        if (setting_.objects.things[i].whole == cut && place-- == 0) return Id::thing(i);
       }
     }
     return kNobody;

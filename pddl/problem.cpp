@@ -14,7 +14,7 @@ namespace {
 
 using symbolic::Id;
 using symbolic::kNobody;
-using symbolic::Where;
+using symbolic::PlaceKind;
 
 /// The facts of one world.
 class FactWriter {
@@ -38,7 +38,7 @@ class FactWriter {
   std::size_t number() const { return start_.things.size(); }
 
   void write_things() {
-    const auto affordances = affordances_for(rules_.offer().actions);
+    const auto affordances = affordances_for(rules_.capabilities().actions);
     for (std::size_t i = 0; i < number(); ++i) {
       const auto id = Id::thing(i);
       const auto& thing = start_[id];
@@ -48,18 +48,20 @@ class FactWriter {
       if (kind.openable) add("(openable" + of);
       if (kind.fillable) add("(fillable" + of);
       if (kind.allows(ActionType::UseUp)) add("(consumable" + of);
-      if (kind.shuts_to_run && rules_.offer().power_needs_closed) add("(shuts-to-run" + of);
-      for (const auto& action : extension_actions()) {
-        const auto affordance = affordance_for(action);
-        const bool asks = std::find(affordances.begin(), affordances.end(), affordance) != affordances.end();
-        if (asks && kind.allows(action.type)) add("(" + std::string(affordance) + of);
+      if (kind.shuts_to_run && rules_.capabilities().power_needs_closed) add("(shuts-to-run" + of);
+      for (const auto affordance : affordances) {
+        const auto& actions = extension_actions();
+        if (std::any_of(actions.begin(), actions.end(), [&](const ActionInfo& action) {
+              return affordance_for(action) == affordance && kind.allows(action.type);
+            }))
+          add("(" + std::string(affordance) + of);
       }
       add("(rests " + name(id) + of);
-      const Id whole = setting_.cast.things[i].whole;
+      const Id whole = setting_.objects.things[i].whole;
       if (whole != kNobody) write_piece(id, whole);
       if (!thing.exists) continue;
       add("(present" + of);
-      if (thing.where == Where::Floor) add("(standing" + of);
+      if (thing.where == PlaceKind::Floor) add("(standing" + of);
       for (const auto& group : state_groups()) {
         for (const auto state : group.predicates) {
           if (thing.has(state)) add("(" + std::string(info(state).name) + of);
@@ -89,7 +91,7 @@ class FactWriter {
     add("(piece-of " + name(piece) + " " + name(whole) + ")");
     int place = 0;  // among the pieces of its whole
     for (std::size_t i = 0; i < piece.index(); ++i) {
-      if (setting_.cast.things[i].whole == whole) ++place;
+      if (setting_.objects.things[i].whole == whole) ++place;
     }
     for (std::size_t k = 0; k < number(); ++k) {
       const auto knife = Id::thing(k);
@@ -105,12 +107,12 @@ class FactWriter {
       const auto& thing = start_[id];
       if (!thing.exists) continue;
       const auto me = " " + name(id) + " ";
-      if (thing.where == Where::On) add("(on" + me + name(thing.at) + ")");
-      if (thing.where == Where::Floor && thing.at != kNobody) add("(on_floor" + me + name(thing.at) + ")");
+      if (thing.where == PlaceKind::On) add("(on" + me + name(thing.at) + ")");
+      if (thing.where == PlaceKind::Floor && thing.at != kNobody) add("(on_floor" + me + name(thing.at) + ")");
       if (const Id room = room_of(start_, id); room != kNobody) add("(in_room" + me + name(room) + ")");
       Id innermost = kNobody;
-      for (Id step = id; start_[step].where == Where::On || start_[step].where == Where::Inside;) {
-        const bool inside = start_[step].where == Where::Inside;
+      for (Id step = id; start_[step].where == PlaceKind::On || start_[step].where == PlaceKind::Inside;) {
+        const bool inside = start_[step].where == PlaceKind::Inside;
         step = start_[step].at;
         add("(rests" + me + name(step) + ")");
         if (!inside) continue;
@@ -165,12 +167,12 @@ class ProblemWriter {
  public:
   ProblemWriter(const symbolic::Setting& setting, const symbolic::World& start) : setting_(setting), start_(start) {
     std::vector<std::string> all;
-    for (const auto& role : setting_.cast.things) all.push_back(role.id);
-    for (const auto& room : setting_.cast.rooms) all.push_back(room.id);
+    for (const auto& role : setting_.objects.things) all.push_back(role.id);
+    for (const auto& room : setting_.objects.rooms) all.push_back(room.id);
     for (const auto& symbol : setting_.rules->symbols()) all.push_back(symbol);
     const auto names = names_for(all);
-    const auto things = static_cast<std::ptrdiff_t>(setting_.cast.things.size());
-    const auto rooms = static_cast<std::ptrdiff_t>(setting_.cast.rooms.size());
+    const auto things = static_cast<std::ptrdiff_t>(setting_.objects.things.size());
+    const auto rooms = static_cast<std::ptrdiff_t>(setting_.objects.rooms.size());
     made_.things.assign(names.begin(), names.begin() + things);
     made_.rooms.assign(names.begin() + things, names.begin() + things + rooms);
     made_.substances.assign(names.begin() + things + rooms, names.end());

@@ -13,7 +13,7 @@
 #include "record/record_file.h"
 #include "record/review_mark_record.h"
 #include "record/trait_table.h"
-#include "rewording/review_rulings.h"
+#include "rewording/accepted_reviews.h"
 #include "rewording/worded_task.h"
 #include "rewording/written_again.h"
 
@@ -80,7 +80,8 @@ class ReviewedSet {
       : folder_(folder), copy_(copy), writer_(std::move(writer)), traits_(std::move(traits)) {}
 
   /// The next task with its ruling.
-  Result<Done> add(const FinishedTask& task, const Instruction& instruction, const Ruling& ruling, bool keep_rejected) {
+  Result<Done> add(const FinishedTask& task, const Instruction& instruction, const AcceptedReview& ruling,
+                   bool keep_rejected) {
     const auto recorded = traits_.of(++row_, task.record.id);
     if (!recorded) return recorded.error();
     const bool rejected = ruling.review != nullptr && ruling.review->judgement == Judgement::Reject;
@@ -165,7 +166,7 @@ Result<ApplyReport> apply_review(const fs::path& folder, const fs::path& out, co
   if (!traits) return traits.error();
 
   ApplyReport report;
-  const auto rulings = rule_on(reviews, {folder, resources, options.accept_unchecked, *marks}, report);
+  const auto rulings = accept_reviews(reviews, {folder, resources, options.accept_unchecked, *marks}, report);
   if (!rulings) return rulings.error();
   for (const auto& [task, ruling] : *rulings) (*marks)[task] = mark_of(*ruling.review);
   auto writer = DatasetWriter::begin(copy->folder());
@@ -180,7 +181,7 @@ Result<ApplyReport> apply_review(const fs::path& folder, const fs::path& out, co
         const auto worded = worded_task(folder, ++line, task.record);
         if (!worded) return worded.error();
         const auto ruling = rulings->find(task.record.id);
-        return set.add(task, instruction_of(*worded), ruling == rulings->end() ? Ruling() : ruling->second,
+        return set.add(task, instruction_of(*worded), ruling == rulings->end() ? AcceptedReview() : ruling->second,
                        options.keep_rejected);
       },
       [](Done&&) -> Result<Done> { return Done{}; });

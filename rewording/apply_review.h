@@ -6,7 +6,7 @@
 #include "core/result.h"
 #include "report/review_file.h"
 #include "resources/resources.h"
-#include "rewording/review_rulings.h"
+#include "rewording/accepted_reviews.h"
 
 namespace unietp {
 

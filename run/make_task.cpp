@@ -178,22 +178,22 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
   task.instruction = std::move(std::get<Instruction>(instruction));
 
   timer.enter(Stage::Expert);
-  auto rehearsal = Rehearsal::of(specification.goal, start, backend.knowledge, backend.profile, std::move(known));
-  if (!rehearsal) return rejected({RejectionReason::NoPlan, format(rehearsal.error())});
-  auto shown = demonstrate(*rehearsal, {});
+  auto executions = ExecutionTree::of(specification.goal, start, backend.knowledge, backend.profile, std::move(known));
+  if (!executions) return rejected({RejectionReason::NoPlan, format(executions.error())});
+  auto shown = demonstrate(*executions, {});
   if (auto* why = std::get_if<Rejection>(&shown)) return rejected(std::move(*why));
   task.demonstration = std::move(std::get<Demonstration>(shown));
 
   timer.enter(Stage::Mutations);
-  const auto needless = needless_steps(*rehearsal, task.demonstration);
+  const auto needless = needless_steps(*executions, task.demonstration);
   if (!needless.empty()) return rejected({RejectionReason::MutationSucceeds, join(needless, "; ")});
 
   timer.enter(Stage::OtherModes);
   for (const Mode mode : configuration.modes) {
     if (mode == Mode::M1) continue;
-    auto other = demonstrate_in(mode, *rehearsal, task.demonstration);
+    auto other = demonstrate_in(mode, *executions, task.demonstration);
     if (auto* why = std::get_if<Rejection>(&other)) return rejected(std::move(*why));
-    const auto missable = needless_steps(*rehearsal, std::get<Demonstration>(other));
+    const auto missable = needless_steps(*executions, std::get<Demonstration>(other));
     if (!missable.empty())
       return rejected({RejectionReason::MutationSucceeds, std::string(name_of(mode)) + ": " + join(missable, "; ")});
     task.in_other_modes.push_back(std::move(std::get<Demonstration>(other)));

@@ -178,7 +178,7 @@ void execute(const std::string& reply, Environment& environment, EpisodeFollower
     follower.end_reply(answer.error().message, environment);
     return;
   }
-  for (const SaidAction& said : answer->actions) {
+  for (const AnsweredAction& said : answer->actions) {
     const auto result = environment.step(Answer{{said}, ""});
     if (result.executed.empty()) break;
     follower.acted(result, environment);

@@ -197,7 +197,8 @@ Result<Done> for_each_episode(const std::filesystem::path& folder,
   return for_each_line<EpisodeRecord>(folder, kEpisodesFile, read_episode, take);
 }
 
-Result<ScoredRun> score_run(const std::filesystem::path& folder, const ScoringData& data, const ScoringWatch& watch) {
+Result<ScoredRun> score_run(const std::filesystem::path& folder, const ScoringData& data,
+                            const ScoringCallbacks& watch) {
   auto run = run_without_scores(folder);
   if (!run) return run.error();
   const auto outline = outline_of(folder, watch.pictured);

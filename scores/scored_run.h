@@ -48,7 +48,7 @@ struct ScoringDifference {
 };
 
 /// What to make of the episodes beside their scores.
-struct ScoringWatch {
+struct ScoringCallbacks {
   std::function<void(const ScoringDifference&)> differ;  // hears of each disagreement
   std::function<Result<Done>(std::string&& view)> view;  // takes each episode_view as JSON
   int pictured = 0;       // episodes whose view has pictures, spread over modes, splits and results
@@ -58,7 +58,8 @@ struct ScoringWatch {
 /// Executes the episodes of a folder again and scores them. `watch` is called in the order of the file; the scores are
 /// those of the replies. Deterministic for any number of threads, and for any that were watched. Errors: Io, Parse and
 /// Schema of the files; Usage for a task that the data set lacks; those of `watch`.
-Result<ScoredRun> score_run(const std::filesystem::path& folder, const ScoringData& data, const ScoringWatch& watch);
+Result<ScoredRun> score_run(const std::filesystem::path& folder, const ScoringData& data,
+                            const ScoringCallbacks& watch);
 
 /// Reads the scores that a run's folder has. Errors: Io, Parse, Schema; Usage for a folder without them.
 Result<ScoredRun> read_scored_run(const std::filesystem::path& folder);

@@ -36,7 +36,7 @@ Result<MadeResults> make_results(const std::filesystem::path& folder, const Scor
                                  const ResultsOptions& options, const ReportPages::Take& page) {
   MadeResults made;
   ReportPages pages(page);
-  ScoringWatch watch;
+  ScoringCallbacks watch;
   watch.pictured = options.pictured;
   watch.picture_width = kPictureWidth;
   watch.view = [&](std::string&& view) { return pages.add(view); };

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "akb/row_reader.h"
-#include "core/files.h"
 #include "core/text.h"
 
 namespace unietp {
@@ -11,22 +10,6 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kGradeNames{"senseless", "tolerable", "usual"};
 constexpr std::string_view kMaterial = "material:";
-
-/// Calls `read` with a reader at each row of a table.
-template <class Read>
-void each_row(const std::filesystem::path& path, const std::vector<std::string>& columns, std::vector<Error>& errors,
-              const Read& read) {
-  const auto text = read_file(path);
-  if (!text) {
-    errors.push_back(text.error());
-    return;
-  }
-  RowReader row(path.string(), *text, columns, errors);
-  for (const auto& cells : row.rows()) {
-    row.at(cells);
-    read(row);
-  }
-}
 
 std::string kind_in(RowReader& row, std::string_view column, const Kinds& kinds) {
   auto kind = row.required(column);

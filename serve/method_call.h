@@ -8,7 +8,7 @@
 
 #include "serve/call.h"
 #include "serve/parameters.h"
-#include "serve/served.h"
+#include "serve/protocol_options.h"
 #include "serve/session_table.h"
 
 namespace unietp {

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "serve/call.h"
-#include "serve/served.h"
+#include "serve/protocol_options.h"
 #include "serve/session_table.h"
 
 namespace unietp {

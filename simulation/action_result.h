@@ -5,7 +5,6 @@
 
 #include "scene/action.h"
 #include "scene/scene.h"
-#include "simulation/failure_cause.h"
 
 namespace unietp {
 

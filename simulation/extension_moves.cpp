@@ -98,10 +98,11 @@ ActionResult plug(WorldState& state, std::size_t i, bool in) {
   return succeeded();
 }
 
-ActionResult fold(WorldState& state, std::size_t i) {
+ActionResult fold(WorldState& state, std::size_t i, bool up) {
   if (!state.knowledge->has(state.node(i).category, "foldable"))
     return failed(FailureCause::NotFoldable, state.reference(i));
-  if (state.node(i).states.has(Predicate::Folded)) return failed(FailureCause::AlreadyFolded, state.reference(i));
+  if (state.node(i).states.has(Predicate::Folded) == up)
+    return failed(up ? FailureCause::AlreadyFolded : FailureCause::AlreadyUnfolded, state.reference(i));
   if (static_cast<int>(state.agent().held.size()) >= state.profile->hands) {
     if (state.held(state.node(i).id)) return failed(FailureCause::MustBePutDownToFold, state.reference(i));
     return failed(FailureCause::FoldingTakesFreeHand);
@@ -109,7 +110,7 @@ ActionResult fold(WorldState& state, std::size_t i) {
   if (auto blocked = manual_access_failure(state, i)) return *blocked;
   if (const auto group = state.group_of(i); group.size() > 1)
     return failed(FailureCause::SomethingLiesOn, state.reference(group[1]), state.reference(i));
-  state.edit_states(i).set({Predicate::Folded, ""});
+  state.edit_states(i).set({up ? Predicate::Folded : Predicate::Unfolded, ""});
   turn_to_work(state, i);
   return succeeded();
 }
@@ -161,7 +162,9 @@ ActionResult perform_extension(WorldState& state, ActionType type, std::size_t n
     case ActionType::Unplug:
       return plug(state, node, false);
     case ActionType::Fold:
-      return fold(state, node);
+      return fold(state, node, true);
+    case ActionType::Unfold:
+      return fold(state, node, false);
     case ActionType::Break:
       return break_apart(state, node);
     case ActionType::Read:

@@ -57,7 +57,7 @@ struct FreeSpot {
 
 struct Spots {
   std::vector<FreeSpot> spots;  // in reach, easiest first
-  Offer offer;
+  SurfaceFit offer;
 };
 
 /// Adds a top surface for attached objects where nothing else can be placed: a camera on a tripod.

@@ -30,9 +30,9 @@ double above_arm(const Vec3& spot, const Profile& profile) { return std::max(0.0
 
 }  // namespace
 
-Offer for_each_spot(const Node& receptacle, const Shape& shape, const Vec3& size, bool inside, bool alone,
-                    const std::function<bool(const Pose&)>& visit) {
-  Offer offer;
+SurfaceFit for_each_spot(const Node& receptacle, const Shape& shape, const Vec3& size, bool inside, bool alone,
+                         const std::function<bool(const Pose&)>& visit) {
+  SurfaceFit offer;
   for (const Surface& surface : shape.surfaces) {
     if ((surface.cavity >= 0) != inside) continue;
     offer.any_surface = true;

@@ -9,7 +9,7 @@
 namespace unietp {
 
 /// Whether a receptacle, when empty, has a surface of the kind asked for, and one that is large enough for an object.
-struct Offer {
+struct SurfaceFit {
   bool any_surface = false, any_fit = false;
 };
 
@@ -17,8 +17,8 @@ struct Offer {
 /// regardless of the agent's position and of obstacles: over each surface, on a fine grid, upright along the surface's
 /// axes; lying where it is too tall and `alone` (nothing is in or on it). `visit` is called with each in turn and
 /// returns false to end the search. `shape`: the receptacle's.
-Offer for_each_spot(const Node& receptacle, const Shape& shape, const Vec3& size, bool inside, bool alone,
-                    const std::function<bool(const Pose&)>& visit);
+SurfaceFit for_each_spot(const Node& receptacle, const Shape& shape, const Vec3& size, bool inside, bool alone,
+                         const std::function<bool(const Pose&)>& visit);
 
 /// From the body's axis, a vertical segment at `at`, to a release point, metres. In reach when at most the profile's
 /// reach.

@@ -41,7 +41,7 @@ class World {
   World& operator=(World&&) noexcept;
   ~World();
 
-  /// Performs an action. Fails as the table of causes says (simulation/failure_cause.h).
+  /// Performs an action. Fails as the table of causes says (FailureCause of scene/action.h).
   ActionResult step(const Action& action);
   /// What the last step changed: `difference` of the scenes before and after it.
   const Delta& changes() const;

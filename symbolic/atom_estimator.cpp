@@ -21,7 +21,7 @@ Estimate AtomEstimator::to(const Atom& atom, bool wanted, int depth) const {
   if (atom.predicate == Predicate::InRoom && atom.first == kAgent) return to_room(atom.second, wanted);
   if (!atom.first.is_thing()) return kUnreachable;
   if (const auto missing = missing_of(atom); missing != kNobody && wanted) {
-    return after(to_state(setting_.cast.role(missing).whole, Predicate::Sliced, kAnySymbol, depth), 2);
+    return after(to_state(setting_.objects.object(missing).whole, Predicate::Sliced, kAnySymbol, depth), 2);
   }
   switch (atom.predicate) {
     case Predicate::Held:
@@ -142,7 +142,7 @@ bool AtomEstimator::treats_by_power(Id tool, Id id) const {
 
 Estimate AtomEstimator::to_attach(Id id, Id place, int depth) const {
   const bool attaches =
-      setting_.rules->offer().attaching &&
+      setting_.rules->capabilities().attaching &&
       setting_.rules->reaction(setting_.kind_number(place), Treatment::Attaches, setting_.kind_number(id)) != nullptr;
   if (!attaches) return kUnreachable;
   if (holds(setting_, world_, Predicate::On, id, place, kAnySymbol)) return after(to_hold(id, depth), 1);
@@ -150,7 +150,7 @@ Estimate AtomEstimator::to_attach(Id id, Id place, int depth) const {
 }
 
 Estimate AtomEstimator::to_make_room(Id id, Predicate relation, Id place, int depth) const {
-  const Where where = relation == Predicate::On ? Where::On : Where::Inside;
+  const PlaceKind where = relation == Predicate::On ? PlaceKind::On : PlaceKind::Inside;
   Choice ways;
   for (std::size_t i = 0; i < world_.things.size(); ++i) {
     const auto other = Id::thing(i);
@@ -163,7 +163,7 @@ Estimate AtomEstimator::to_make_room(Id id, Predicate relation, Id place, int de
 
 Estimate AtomEstimator::to_room(Id room, bool wanted) const {
   if (wanted) return one_step({ActionType::GoTo, room});
-  for (std::size_t r = 0; r < setting_.cast.rooms.size(); ++r) {
+  for (std::size_t r = 0; r < setting_.objects.rooms.size(); ++r) {
     const auto other = Id::room(r);
     if (other != room) return one_step({ActionType::GoTo, other});
   }
@@ -201,13 +201,13 @@ Estimate AtomEstimator::to_neighbour(const Atom& atom, int depth) const {
 
 Estimate AtomEstimator::to_bring_beside(Id id, Id other, bool under, int depth) const {
   const Thing& host = world_[other];
-  if (host.where == Where::Floor) {
+  if (host.where == PlaceKind::Floor) {
     Estimate need = together(to_hold(id, depth), to_reach(other, depth));
     if (need.possible() && world_.by != other) need = together(std::move(need), one_step({ActionType::GoTo, other}));
     return then(std::move(need), {ActionType::Drop, kNobody, other, under});
   }
-  if (under || (host.where != Where::On && host.where != Where::Inside)) return kUnreachable;
-  return to_place(id, host.where == Where::On ? Predicate::On : Predicate::Inside, host.at, other, depth);
+  if (under || (host.where != PlaceKind::On && host.where != PlaceKind::Inside)) return kUnreachable;
+  return to_place(id, host.where == PlaceKind::On ? Predicate::On : Predicate::Inside, host.at, other, depth);
 }
 
 Estimate AtomEstimator::to_bring_both(Id first, Id second, int depth) const {

@@ -16,7 +16,7 @@ class AtomEstimator {
   Estimate to(const Atom& atom, bool wanted, int depth) const;
 
  private:
-  bool offered(ActionType action) const { return setting_.rules->offer().has(action); }
+  bool offered(ActionType action) const { return setting_.rules->capabilities().has(action); }
   const Kind& kind(Id id) const { return setting_.kind_of(id); }
   /// Of the things that the atom is about, the one that does not exist yet; kNobody if all exist.
   Id missing_of(const Atom& atom) const;

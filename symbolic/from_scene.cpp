@@ -49,17 +49,17 @@ const Node* support_of(const Scene& scene, const Node& node) {
 
 SceneSymbols::SceneSymbols(const Scene& scene, const Knowledge& knowledge, ActionProfile profile,
                            const std::vector<const Node*>& nodes)
-    : rules(knowledge, offer_of(scene.simulator, profile), categories_of(nodes)) {
+    : rules(knowledge, capabilities_of(scene.simulator, profile), categories_of(nodes)) {
   setting.rules = &rules;
   setting.with_nearest = false;
-  for (const auto& room : scene.rooms) setting.cast.rooms.push_back({room.id, room.type});
+  for (const auto& room : scene.rooms) setting.objects.rooms.push_back({room.id, room.type});
   for (const auto* node : nodes) {
-    Role role;
+    ObjectEntry role;
     role.id = node->id;
     role.kind = rules.kind_named(node->category).value();
     role.colour = node->colour;
     role.material = node->material;
-    setting.cast.things.push_back(std::move(role));
+    setting.objects.things.push_back(std::move(role));
     Thing thing;
     for (const auto& state : node->states.all()) {
       if (state.predicate == Predicate::Covered) {
@@ -75,24 +75,24 @@ SceneSymbols::SceneSymbols(const Scene& scene, const Knowledge& knowledge, Actio
     auto& thing = start.things[i];
     const auto& id = nodes[i]->id;
     if (is_held(scene, id)) {
-      thing.where = Where::Hand;
+      thing.where = PlaceKind::Hand;
       start.held = Id::thing(i);
     } else if (const auto* edge = resting_edge(scene, id); edge != nullptr) {
-      thing.where = edge->relation == Predicate::On ? Where::On : Where::Inside;
-      thing.at = setting.cast.named(edge->to);
+      thing.where = edge->relation == Predicate::On ? PlaceKind::On : PlaceKind::Inside;
+      thing.at = setting.objects.named(edge->to);
     } else {
       for (const auto& edges : scene.edges) {
-        if (edges.relation == Predicate::InRoom && edges.from == id) thing.at = setting.cast.named(edges.to);
+        if (edges.relation == Predicate::InRoom && edges.from == id) thing.at = setting.objects.named(edges.to);
       }
     }
   }
   if (const auto* room = room_at(scene, scene.agent.position); room != nullptr)
-    start.room = setting.cast.named(room->id);
+    start.room = setting.objects.named(room->id);
   FactReader reader(true);
   seen.states.push_back(reader.read(scene));
   seen.entities = reader.entities();
   for (const auto& entity : seen.entities)
-    cast.push_back(entity.kind == Entity::Kind::Agent ? kAgent : setting.cast.named(entity.id));
+    objects.push_back(entity.kind == Entity::Kind::Agent ? kAgent : setting.objects.named(entity.id));
   add_pieces(setting, start);
 }
 

@@ -14,8 +14,8 @@ struct SceneSymbols {
   Rules rules;
   Setting setting;
   World start;
-  Trace seen;            // the scene's own facts, from which `:where` is read
-  std::vector<Id> cast;  // by entity of `seen`; kNobody for what was left out
+  Trace seen;               // the scene's own facts, from which `:where` is read
+  std::vector<Id> objects;  // by entity of `seen`; kNobody for what was left out
 
   /// `nodes` must be nodes of the scene, of categories that the knowledge base has, each together with what it rests on
   /// or in. At the start the agent has gone to nothing yet.
@@ -25,7 +25,7 @@ struct SceneSymbols {
   SceneSymbols& operator=(const SceneSymbols&) = delete;
 
   /// The formula over these things. The result refers to this value.
-  Goal goal(const Formula& formula) const { return {formula, setting, start, {&seen, &cast}}; }
+  Goal goal(const Formula& formula) const { return {formula, setting, start, {&seen, &objects}}; }
 };
 
 /// What a node rests on or in directly; nullptr for what stands on a floor or is held.

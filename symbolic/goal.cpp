@@ -103,7 +103,7 @@ class GoalWriter {
   }
   bool has_attribute(Predicate predicate, Id id, const std::string& word) const {
     if (!id.is_thing()) return false;
-    const Role& role = setting_.cast.role(id);
+    const ObjectEntry& role = setting_.objects.object(id);
     const auto& own = predicate == Predicate::Colour     ? role.colour
                       : predicate == Predicate::Material ? role.material
                                                          : role.size;
@@ -111,14 +111,14 @@ class GoalWriter {
   }
 
   Id id_of_entity(EntityIndex entity) const {
-    const std::size_t things = setting_.cast.things.size();
+    const std::size_t things = setting_.objects.things.size();
     if (entity.index() < things) return Id::thing(entity.index());
     const std::size_t room = entity.index() - things;
-    return room < setting_.cast.rooms.size() ? Id::room(room) : kAgent;
+    return room < setting_.objects.rooms.size() ? Id::room(room) : kAgent;
   }
   EntityIndex entity_of_id(Id id) const {
-    const std::size_t things = setting_.cast.things.size();
-    if (id == kAgent) return EntityIndex(things + setting_.cast.rooms.size());
+    const std::size_t things = setting_.objects.things.size();
+    if (id == kAgent) return EntityIndex(things + setting_.objects.rooms.size());
     return EntityIndex(id.is_room() ? things + id.index() : id.index());
   }
 
@@ -135,8 +135,8 @@ class GoalWriter {
     }
     if (id == kAgent) return false;
     return std::any_of(domain.members.begin(), domain.members.end(), [&](const Domain::Member& member) {
-      if (id.is_room()) return !member.slice && setting_.cast.room(id).type == member.category;
-      const Id whole = setting_.cast.role(id).whole;
+      if (id.is_room()) return !member.slice && setting_.objects.room(id).type == member.category;
+      const Id whole = setting_.objects.object(id).whole;
       if (!member.slice) return setting_.kind_of(id).category == member.category;
       return whole != kNobody && setting_.kind_of(whole).category == member.category;
     });
@@ -146,7 +146,7 @@ class GoalWriter {
     std::vector<Id> found;
     const Domain& domain = quantifier.domain;
     if (domain.where.empty()) {
-      const std::size_t all = setting_.cast.things.size() + setting_.cast.rooms.size() + 1;
+      const std::size_t all = setting_.objects.things.size() + setting_.objects.rooms.size() + 1;
       for (std::size_t i = 0; i < all; ++i) {
         const Id id = id_of_entity(EntityIndex(i));
         if (is_of(id, domain)) found.push_back(id);
@@ -185,7 +185,7 @@ class GoalWriter {
       scope_.pop_back();
       if (id.is_thing() && !start_[id].exists) {
         const std::size_t is_there = add(Goal::Op::Atom, {});
-        goal_.nodes_[is_there].atom = {Predicate::SliceOf, id, setting_.cast.role(id).whole, kAnySymbol};
+        goal_.nodes_[is_there].atom = {Predicate::SliceOf, id, setting_.objects.object(id).whole, kAnySymbol};
         body = universal ? add(Goal::Op::Or, {add(Goal::Op::Not, {is_there}), body})
                          : add(Goal::Op::And, {is_there, body});
       }

@@ -8,7 +8,7 @@
 namespace unietp::symbolic {
 
 /// Who takes part in a symbolic scene: a thing, a room, the agent, or nobody. Things and rooms are numbered apart, by
-/// their positions in Cast::things and Cast::rooms. Ordered: things, rooms, the agent, nobody.
+/// their positions in ObjectTable::things and ObjectTable::rooms. Ordered: things, rooms, the agent, nobody.
 class Id {
  public:
   /// Nobody.

@@ -13,7 +13,7 @@ bool has_one_of_group(const Thing& thing, Predicate state) {
 
 bool carries_something(const World& world, Id thing) {
   return std::any_of(world.things.begin(), world.things.end(), [&](const Thing& other) {
-    return other.exists && other.at == thing && (other.where == Where::On || other.where == Where::Inside);
+    return other.exists && other.at == thing && (other.where == PlaceKind::On || other.where == PlaceKind::Inside);
   });
 }
 
@@ -80,16 +80,16 @@ Failure check(const Setting& setting, const World& world, const Step& step, cons
 }  // namespace
 
 bool applies(const Setting& setting, ActionRule rule, Id thing) {
-  const Offer& offer = setting.rules->offer();
+  const Capabilities& capabilities = setting.rules->capabilities();
   switch (rule) {
     case ActionRule::Always:
       return true;
     case ActionRule::OpenNeedsPowerOff:
-      return offer.open_needs_power_off;
+      return capabilities.open_needs_power_off;
     case ActionRule::PowerNeedsClosed:
-      return offer.power_needs_closed && setting.kind_of(thing).shuts_to_run;
+      return capabilities.power_needs_closed && setting.kind_of(thing).shuts_to_run;
     case ActionRule::PowerNeedsPlug:
-      return offer.power_needs_plug;
+      return capabilities.power_needs_plug;
   }
   return true;
 }

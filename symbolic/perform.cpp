@@ -11,7 +11,7 @@ Failure go_to(World& world, Id target) {
   }
   if (world.held == target) return Failure::InvalidArgument;
   const Id root = root_of(world, target);
-  if (world[root].where != Where::Floor) return Failure::NoStandingPlace;
+  if (world[root].where != PlaceKind::Floor) return Failure::NoStandingPlace;
   world.by = root;
   world.room = world[root].at;
   return Failure::None;
@@ -32,7 +32,7 @@ Failure drop(const Setting& setting, World& world, const Step& step) {
     if (step.under && setting.kind_of(step.beside).movable) return Failure::DoesNotFit;
   }
   Thing& thing = world[world.held];
-  thing.where = Where::Floor;
+  thing.where = PlaceKind::Floor;
   thing.at = world.room;
   thing.beside = step.beside;
   thing.under = step.under;
@@ -43,7 +43,7 @@ Failure drop(const Setting& setting, World& world, const Step& step) {
 void lift(World& world, Id thing) {
   leave_neighbours(world, thing);
   world[thing].attached = false;
-  world[thing].where = Where::Hand;
+  world[thing].where = PlaceKind::Hand;
   world[thing].at = kNobody;
   world.held = thing;
   if (world.by == thing) world.by = kNobody;
@@ -59,7 +59,7 @@ Failure place(const Setting& setting, World& world, const Step& step) {
   if (setting.rules->capacity(setting.kind_number(item), relation, setting.kind_number(target)) == 0)
     return Failure::DoesNotFit;
   if (!has_room(setting, world, item, relation, target)) return Failure::NoFreePlace;
-  const Where where = inside ? Where::Inside : Where::On;
+  const PlaceKind where = inside ? PlaceKind::Inside : PlaceKind::On;
   if (step.beside != kNobody && (world[step.beside].where != where || world[step.beside].at != target))
     return Failure::NoFreePlace;
   Thing& thing = world[item];
@@ -68,7 +68,7 @@ Failure place(const Setting& setting, World& world, const Step& step) {
   thing.beside = step.beside;
   thing.under = false;
   thing.attached =
-      !inside && setting.rules->offer().attaching &&
+      !inside && setting.rules->capabilities().attaching &&
       setting.rules->reaction(setting.kind_number(target), Treatment::Attaches, setting.kind_number(item)) != nullptr;
   world.held = kNobody;
   run_processes(setting, world, target, false);
@@ -145,7 +145,7 @@ std::string to_text(const Setting& setting, const Step& step) {
 }
 
 Failure perform(const Setting& setting, World& world, const Step& step) {
-  if (!setting.rules->offer().has(step.action)) return Failure::NotOffered;
+  if (!setting.rules->capabilities().has(step.action)) return Failure::NotOffered;
   const ActionArgument argument = info(step.action).argument;
   const bool on_thing = argument == ActionArgument::Object || argument == ActionArgument::Tool;
   if (on_thing && (!step.target.is_thing() || !world[step.target].exists)) return Failure::InvalidArgument;
@@ -165,7 +165,7 @@ Failure out_of_reach(const Setting& setting, const World& world, Id thing) {
 bool has_room(const Setting& setting, const World& world, Id thing, Predicate relation, Id place) {
   const int own = setting.rules->capacity(setting.kind_number(thing), relation, setting.kind_number(place));
   if (own == 0) return false;
-  const Where where = relation == Predicate::On ? Where::On : Where::Inside;
+  const PlaceKind where = relation == Predicate::On ? PlaceKind::On : PlaceKind::Inside;
   int there = 0;
   for (std::size_t i = 0; i < world.things.size(); ++i) {
     const auto other = Id::thing(i);

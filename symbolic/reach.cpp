@@ -47,7 +47,7 @@ void Reach::spread() {
       outlooks_[i] = next;
     }
     for (std::size_t i = 0; i < outlooks_.size(); ++i) {  // a piece may have every state that its whole may have
-      const Id whole = setting_.cast.things[i].whole;
+      const Id whole = setting_.objects.things[i].whole;
       if (whole == kNobody || !may_have(whole, Predicate::Sliced)) continue;
       Outlook next = outlooks_[i];
       next.exists = true;
@@ -155,7 +155,7 @@ bool Reach::may(const Atom& atom, bool wanted) const {
     case Predicate::Inside:
       return may_be_at(atom.first, atom.predicate, atom.second, 0);
     case Predicate::Attached:
-      return setting_.rules->offer().attaching && may_be_at(atom.first, Predicate::On, atom.second, 0) &&
+      return setting_.rules->capabilities().attaching && may_be_at(atom.first, Predicate::On, atom.second, 0) &&
              setting_.rules->reaction(setting_.kind_number(atom.second), Treatment::Attaches,
                                       setting_.kind_number(atom.first)) != nullptr;
     case Predicate::OnFloor:
@@ -167,7 +167,7 @@ bool Reach::may(const Atom& atom, bool wanted) const {
     case Predicate::Under:
       return of(atom.first).held && offered(ActionType::Drop);
     case Predicate::SliceOf:
-      return setting_.cast.role(atom.first).whole == atom.second;
+      return setting_.objects.object(atom.first).whole == atom.second;
     case Predicate::Nearest:
       return true;  // the agent can move things apart
     case Predicate::Filled:
@@ -180,11 +180,11 @@ bool Reach::may(const Atom& atom, bool wanted) const {
 }
 
 bool Reach::may_fail(const Atom& atom) const {
-  if (atom.first == kAgent) return setting_.cast.rooms.size() > 1;
+  if (atom.first == kAgent) return setting_.objects.rooms.size() > 1;
   const auto moves = [&](Id id) {
     for (Id step = id;; step = start_[step].at) {
       if (of(step).held) return true;
-      if (start_[step].where != Where::On && start_[step].where != Where::Inside) return false;
+      if (start_[step].where != PlaceKind::On && start_[step].where != PlaceKind::Inside) return false;
     }
   };
   switch (atom.predicate) {

@@ -23,7 +23,7 @@ class Reach {
     bool exists = false, held = false, uncovered = false;
     bool operator==(const Outlook&) const = default;
   };
-  bool offered(ActionType action) const { return setting_.rules->offer().has(action); }
+  bool offered(ActionType action) const { return setting_.rules->capabilities().has(action); }
   const Outlook& of(Id id) const { return outlooks_[id.index()]; }
   bool may_have(Id id, Predicate state) const;
   void spread();

@@ -4,12 +4,12 @@
 
 namespace unietp::symbolic {
 
-Offer offer_of(Simulator simulator, ActionProfile profile) {
-  Offer offer;
-  offer.actions = actions_of(simulator, profile);
-  offer.power_needs_plug = offer.has(ActionType::PlugIn);
-  offer.attaching = profile == ActionProfile::Wide && simulator == Simulator::Behavior;
-  return offer;
+Capabilities capabilities_of(Simulator simulator, ActionProfile profile) {
+  Capabilities capabilities;
+  capabilities.actions = actions_of(simulator, profile);
+  capabilities.power_needs_plug = capabilities.has(ActionType::PlugIn);
+  capabilities.attaching = profile == ActionProfile::Wide && simulator == Simulator::Behavior;
+  return capabilities;
 }
 
 std::uint8_t needs_of(const Effect& row) {
@@ -24,8 +24,8 @@ bool Kind::has_group_of(Predicate state) const {
   });
 }
 
-Rules::Rules(const Knowledge& knowledge, const Offer& offer, const std::vector<std::string>& categories)
-    : offer_(offer) {
+Rules::Rules(const Knowledge& knowledge, const Capabilities& capabilities, const std::vector<std::string>& categories)
+    : capabilities_(capabilities) {
   for (const auto& category : categories) add_kind(knowledge, category);
   const std::size_t given = kinds_.size();
   for (std::size_t i = 0; i < given; ++i) {
@@ -98,7 +98,7 @@ void Rules::read_reactions(const Knowledge& knowledge, std::size_t tools, std::s
           reaction.symbol = symbol_number(row->gives);
         }
         if ((reaction.needs & (kInside | kUnderTap)) != 0) make_room(KindId(target), 1, *tool);
-        const bool attaching = reaction.treatment == Treatment::Attaches && offer_.attaching;
+        const bool attaching = reaction.treatment == Treatment::Attaches && capabilities_.attaching;
         if ((reaction.needs & kOn) != 0 || attaching) make_room(KindId(target), 0, *tool);
         known.push_back(reaction);
       }

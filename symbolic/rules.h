@@ -16,7 +16,7 @@
 namespace unietp::symbolic {
 
 /// What a simulator lets its agent do.
-struct Offer {
+struct Capabilities {
   ActionSet actions;
   bool power_needs_closed = true;    // an appliance with a door runs only when it is shut
   bool open_needs_power_off = true;  // and does not open while it runs
@@ -26,7 +26,7 @@ struct Offer {
 };
 /// From the action table and the rules of data/simulators: all simulators have the two rules of appliances; in the
 /// profile `wide`, plugs matter where they can be handled, and BEHAVIOR attaches.
-Offer offer_of(Simulator simulator, ActionProfile profile = ActionProfile::Unietp);
+Capabilities capabilities_of(Simulator simulator, ActionProfile profile = ActionProfile::Unietp);
 
 /// Conditions of a treatment, as bits of Reaction::needs.
 constexpr std::uint8_t bit_of(EffectNeed need) { return static_cast<std::uint8_t>(1U << static_cast<unsigned>(need)); }
@@ -68,10 +68,10 @@ struct Kind {
 class Rules {
  public:
   /// Categories that the knowledge base does not have are left out.
-  Rules(const Knowledge& knowledge, const Offer& offer, const std::vector<std::string>& categories);
+  Rules(const Knowledge& knowledge, const Capabilities& capabilities, const std::vector<std::string>& categories);
 
   /// What the agent may do.
-  const Offer& offer() const { return offer_; }
+  const Capabilities& capabilities() const { return capabilities_; }
   const std::vector<Kind>& kinds() const { return kinds_; }
   const Kind& kind(KindId id) const { return kinds_[id.index()]; }
   /// nullopt when there is none.
@@ -98,7 +98,7 @@ class Rules {
   void make_room(KindId thing, std::size_t relation, KindId place);
   void read_reactions(const Knowledge& knowledge, std::size_t tools, std::size_t targets);
 
-  Offer offer_;
+  Capabilities capabilities_;
   std::vector<Kind> kinds_;
   std::vector<std::string> symbols_;
   std::vector<std::array<int, 2>> capacity_;      // by cell: on, inside

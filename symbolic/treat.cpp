@@ -66,7 +66,7 @@ Failure slice(const Setting& setting, World& world, Id thing) {
   const Reaction* cut = by_hand(setting, world, Treatment::Slices, thing);
   int made = 0;
   for (std::size_t i = 0; i < world.things.size() && made < cut->pieces; ++i) {
-    const Role& role = setting.cast.things[i];
+    const ObjectEntry& role = setting.objects.things[i];
     if (role.whole != thing || role.kind != cut->piece) continue;
     Thing piece = world[thing];  // at the place of the whole, with its states except for `whole` and `sliced`
     piece.clear(Predicate::Whole);

@@ -26,7 +26,7 @@ const std::array<std::uint64_t, kPredicateCount>& group_masks() {
 
 double spot_of(const Setting& setting, const World& world, Id thing) {
   const Id root = root_of(world, thing);
-  return setting.cast.role(root).spot_m + 1e-3 * static_cast<double>(thing.index());  // no two at the same spot
+  return setting.objects.object(root).spot_m + 1e-3 * static_cast<double>(thing.index());  // no two at the same spot
 }
 
 /// The nearest of the things of `thing`'s category to `other`, `other` itself aside.
@@ -53,7 +53,7 @@ class FactWriter {
 
   Facts read(const World& world) const {
     Facts facts;
-    const std::size_t rooms = setting_.cast.rooms.size();
+    const std::size_t rooms = setting_.objects.rooms.size();
     for (std::size_t i = 0; i < world.things.size(); ++i) {
       if (world.things[i].exists) write(world, Id::thing(i), facts);
     }
@@ -70,7 +70,7 @@ class FactWriter {
 
   void write(const World& world, Id id, Facts& facts) const {
     const auto& thing = world[id];
-    const auto& role = setting_.cast.role(id);
+    const auto& role = setting_.objects.object(id);
     const auto me = entity(id);
     facts.set_exists(me);
     for (std::size_t p = 0; p < kPredicateCount; ++p) {
@@ -92,17 +92,18 @@ class FactWriter {
   void write_relations(const World& world, Id id, Facts& facts) const {
     const auto& thing = world[id];
     const auto me = entity(id);
-    const Id whole = setting_.cast.role(id).whole;
+    const Id whole = setting_.objects.object(id).whole;
     if (whole != kNobody) facts.set(Predicate::SliceOf, me, entity(whole));
     if (thing.beside != kNobody) {
       facts.set(thing.under ? Predicate::Under : Predicate::NextTo, me, entity(thing.beside));
       if (!thing.under) facts.set(Predicate::NextTo, entity(thing.beside), me);
     }
-    if (thing.where == Where::Floor) facts.set(Predicate::OnFloor, me, room(thing.at));
-    if (thing.where == Where::On) facts.set(Predicate::On, me, entity(thing.at));
+    if (thing.where == PlaceKind::Floor) facts.set(Predicate::OnFloor, me, room(thing.at));
+    if (thing.where == PlaceKind::On) facts.set(Predicate::On, me, entity(thing.at));
     if (thing.attached) facts.set(Predicate::Attached, me, entity(thing.at));
-    for (Id step = id; world[step].where == Where::On || world[step].where == Where::Inside; step = world[step].at) {
-      if (world[step].where == Where::Inside) facts.set(Predicate::Inside, me, entity(world[step].at));
+    for (Id step = id; world[step].where == PlaceKind::On || world[step].where == PlaceKind::Inside;
+         step = world[step].at) {
+      if (world[step].where == PlaceKind::Inside) facts.set(Predicate::Inside, me, entity(world[step].at));
     }
     const Id in = room_of(world, id);
     if (in != kNobody) facts.set(Predicate::InRoom, me, room(in));
@@ -121,7 +122,7 @@ class FactWriter {
 };
 
 Entity entity_of(const Setting& setting, std::size_t i) {
-  const Role& role = setting.cast.things[i];
+  const ObjectEntry& role = setting.objects.things[i];
   const bool piece = role.whole != kNobody;
   return {Entity::Kind::Object, role.id, setting.rules->kind(role.kind).category,
           piece ? setting.kind_of(role.whole).category : ""};
@@ -129,14 +130,14 @@ Entity entity_of(const Setting& setting, std::size_t i) {
 
 Trace trace_with(const Setting& setting, const std::vector<World>& worlds, const std::vector<bool>& taken) {
   Trace trace;
-  Entities entities(setting.cast.things.size(), kNone);
+  Entities entities(setting.objects.things.size(), kNone);
   for (std::size_t i = 0; i < entities.size(); ++i) {
     if (!taken[i]) continue;
     entities[i] = EntityIndex(trace.entities.size());
     trace.entities.push_back(entity_of(setting, i));
   }
   const std::size_t first_room = trace.entities.size();
-  for (const auto& room : setting.cast.rooms) trace.entities.push_back({Entity::Kind::Room, room.id, room.type, ""});
+  for (const auto& room : setting.objects.rooms) trace.entities.push_back({Entity::Kind::Room, room.id, room.type, ""});
   trace.entities.push_back({Entity::Kind::Agent, "agent", "agent", ""});
   const FactWriter writer(setting, entities, first_room);
   for (const World& world : worlds) trace.states.push_back(writer.read(world));
@@ -159,19 +160,19 @@ Thing default_thing(const Kind& kind) {
 void add_pieces(Setting& setting, World& world) {
   const std::size_t wholes = world.things.size();
   for (std::size_t i = 0; i < wholes; ++i) {
-    const KindId kind = setting.cast.things[i].kind;
+    const KindId kind = setting.objects.things[i].kind;
     if (!setting.rules->kind(kind).sliceable) continue;
     const Reaction* most = nullptr;
     for (std::size_t k = 0; k < wholes; ++k) {
-      const auto* cut = setting.rules->reaction(setting.cast.things[k].kind, Treatment::Slices, kind);
+      const auto* cut = setting.rules->reaction(setting.objects.things[k].kind, Treatment::Slices, kind);
       if (cut != nullptr && cut->piece && (most == nullptr || cut->pieces > most->pieces)) most = cut;
     }
     for (int n = 0; most != nullptr && n < most->pieces; ++n) {
-      Role role;
-      role.id = setting.cast.things[i].id + "_piece_" + std::to_string(n + 1);
+      ObjectEntry role;
+      role.id = setting.objects.things[i].id + "_piece_" + std::to_string(n + 1);
       role.kind = *most->piece;
       role.whole = Id::thing(i);
-      setting.cast.things.push_back(std::move(role));
+      setting.objects.things.push_back(std::move(role));
       Thing piece;
       piece.exists = false;
       world.things.push_back(piece);
@@ -182,10 +183,10 @@ void add_pieces(Setting& setting, World& world) {
 const std::string& name_of(const Setting& setting, Id id) {
   static const std::string kAgentName = "agent";
   if (!id.is_thing() && !id.is_room()) return kAgentName;
-  return id.is_room() ? setting.cast.room(id).id : setting.cast.role(id).id;
+  return id.is_room() ? setting.objects.room(id).id : setting.objects.object(id).id;
 }
 
-Id Cast::named(std::string_view name) const {
+Id ObjectTable::named(std::string_view name) const {
   for (std::size_t i = 0; i < things.size(); ++i) {
     if (things[i].id == name) return Id::thing(i);
   }
@@ -196,19 +197,21 @@ Id Cast::named(std::string_view name) const {
 }
 
 Id root_of(const World& world, Id thing) {
-  while (world[thing].where == Where::On || world[thing].where == Where::Inside) thing = world[thing].at;
+  while (world[thing].where == PlaceKind::On || world[thing].where == PlaceKind::Inside) thing = world[thing].at;
   return thing;
 }
 
 bool is_inside(const World& world, Id thing, Id container) {
-  for (Id step = thing; world[step].where == Where::On || world[step].where == Where::Inside; step = world[step].at) {
-    if (world[step].where == Where::Inside && world[step].at == container) return true;
+  for (Id step = thing; world[step].where == PlaceKind::On || world[step].where == PlaceKind::Inside;
+       step = world[step].at) {
+    if (world[step].where == PlaceKind::Inside && world[step].at == container) return true;
   }
   return false;
 }
 
 bool rests_on(const World& world, Id upper, Id lower) {
-  for (Id step = upper; world[step].where == Where::On || world[step].where == Where::Inside; step = world[step].at) {
+  for (Id step = upper; world[step].where == PlaceKind::On || world[step].where == PlaceKind::Inside;
+       step = world[step].at) {
     if (world[step].at == lower) return true;
   }
   return false;
@@ -216,9 +219,10 @@ bool rests_on(const World& world, Id upper, Id lower) {
 
 Id closed_around(const Setting& setting, const World& world, Id thing) {
   Id outermost = kNobody;
-  for (Id step = thing; world[step].where == Where::On || world[step].where == Where::Inside; step = world[step].at) {
+  for (Id step = thing; world[step].where == PlaceKind::On || world[step].where == PlaceKind::Inside;
+       step = world[step].at) {
     const Id below = world[step].at;
-    if (world[step].where == Where::Inside && setting.kind_of(below).openable && !world[below].has(Predicate::Open))
+    if (world[step].where == PlaceKind::Inside && setting.kind_of(below).openable && !world[below].has(Predicate::Open))
       outermost = below;
   }
   return outermost;
@@ -226,7 +230,7 @@ Id closed_around(const Setting& setting, const World& world, Id thing) {
 
 Id room_of(const World& world, Id thing) {
   const Thing& root = world[root_of(world, thing)];
-  return root.where == Where::Floor ? root.at : kNobody;
+  return root.where == PlaceKind::Floor ? root.at : kNobody;
 }
 
 bool holds(const Setting& setting, const World& world, Predicate predicate, Id first, Id second,
@@ -239,13 +243,13 @@ bool holds(const Setting& setting, const World& world, Predicate predicate, Id f
     case Predicate::Held:
       return world.held == first;
     case Predicate::On:
-      return thing.where == Where::On && thing.at == second;
+      return thing.where == PlaceKind::On && thing.at == second;
     case Predicate::Attached:
       return thing.attached && thing.at == second;
     case Predicate::Inside:
       return is_inside(world, first, second);
     case Predicate::OnFloor:
-      return thing.where == Where::Floor && thing.at == second;
+      return thing.where == PlaceKind::Floor && thing.at == second;
     case Predicate::InRoom:
       return room_of(world, first) == second;
     case Predicate::NextTo:
@@ -253,7 +257,7 @@ bool holds(const Setting& setting, const World& world, Predicate predicate, Id f
     case Predicate::Under:
       return thing.beside == second && thing.under;
     case Predicate::SliceOf:
-      return setting.cast.role(first).whole == second;
+      return setting.objects.object(first).whole == second;
     case Predicate::Nearest:
       return first != second && is_nearest(setting, world, first, second);
     case Predicate::Filled:
@@ -266,7 +270,7 @@ bool holds(const Setting& setting, const World& world, Predicate predicate, Id f
 }
 
 Trace trace_of(const Setting& setting, const std::vector<World>& worlds) {
-  std::vector<bool> taken(setting.cast.things.size(), false);
+  std::vector<bool> taken(setting.objects.things.size(), false);
   for (const World& world : worlds) {
     for (std::size_t i = 0; i < taken.size(); ++i) taken[i] = taken[i] || world.things[i].exists;
   }
@@ -274,7 +278,7 @@ Trace trace_of(const Setting& setting, const std::vector<World>& worlds) {
 }
 
 Trace whole_trace_of(const Setting& setting, const World& world) {
-  return trace_with(setting, {world}, std::vector<bool>(setting.cast.things.size(), true));
+  return trace_with(setting, {world}, std::vector<bool>(setting.objects.things.size(), true));
 }
 
 }  // namespace unietp::symbolic

@@ -15,7 +15,7 @@
 namespace unietp::symbolic {
 
 /// What never changes about a thing.
-struct Role {
+struct ObjectEntry {
   std::string id;
   KindId kind;
   Id whole = kNobody;                  // of a piece: what it is cut from
@@ -24,22 +24,22 @@ struct Role {
 };
 
 /// Everything that takes part in a symbolic scene: things, among them the pieces that slicing could make, and rooms.
-struct Cast {
-  std::vector<Role> things;
+struct ObjectTable {
+  std::vector<ObjectEntry> things;
   struct Room {
     std::string id, type;
   };
   std::vector<Room> rooms;
-  /// By id, which must be a thing of this cast, or a room.
-  const Role& role(Id thing) const { return things[thing.index()]; }
-  Role& role(Id thing) { return things[thing.index()]; }
+  /// By id, which must be a thing of this table, or a room.
+  const ObjectEntry& object(Id thing) const { return things[thing.index()]; }
+  ObjectEntry& object(Id thing) { return things[thing.index()]; }
   const Room& room(Id id) const { return rooms[id.index()]; }
-  /// The thing or room of that name (Role::id, Room::id), or kNobody.
+  /// The thing or room of that name (ObjectEntry::id, Room::id), or kNobody.
   Id named(std::string_view name) const;
 };
 
 /// How a thing is at its place.
-enum class Where : std::uint8_t { Floor, On, Inside, Hand };
+enum class PlaceKind : std::uint8_t { Floor, On, Inside, Hand };
 
 /// What may change about a thing.
 struct Thing {
@@ -47,7 +47,7 @@ struct Thing {
   SubstanceSet coats;        // that cover it
   Id at = kNobody;           // the thing that it is on or in, or the room on whose floor it stands
   Id beside = kNobody;       // what it was set down next to, or under
-  Where where = Where::Floor;
+  PlaceKind where = PlaceKind::Floor;
   SubstanceId filling;    // of a filled thing
   bool under = false;     // `beside` is what it lies under
   bool attached = false;  // to what it is on
@@ -71,14 +71,14 @@ struct World {
   const Thing& operator[](Id thing) const { return things[thing.index()]; }
 };
 
-/// A knowledge base and a cast: what stays the same while a world changes.
+/// A knowledge base and an object table: what stays the same while a world changes.
 struct Setting {
   const Rules* rules = nullptr;  // outlives the setting
-  Cast cast;
+  ObjectTable objects;
   bool with_nearest = false;  // facts say which thing is nearest to which; quadratic, so only where a formula asks
   /// The kind of a thing, and its number.
-  const Kind& kind_of(Id thing) const { return rules->kind(cast.role(thing).kind); }
-  KindId kind_number(Id thing) const { return cast.role(thing).kind; }
+  const Kind& kind_of(Id thing) const { return rules->kind(objects.object(thing).kind); }
+  KindId kind_number(Id thing) const { return objects.object(thing).kind; }
 };
 
 /// A thing in the default states of its kind, on no floor yet.

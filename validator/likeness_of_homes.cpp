@@ -71,7 +71,7 @@ std::uint64_t pair_of(std::uint64_t a, std::uint64_t b, std::uint64_t distance_m
   return (both << kDistanceBits) | distance_mm;
 }
 
-void add_pairs(const std::vector<Thing>& things, HomePrint& print) {
+void add_pairs(const std::vector<Thing>& things, HomeFingerprint& print) {
   using Neighbor = std::tuple<std::uint64_t, std::uint64_t, std::size_t>;  // distance, category, place
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   std::vector<Neighbor> others;
@@ -117,15 +117,15 @@ double share_of_smaller(const std::vector<std::uint64_t>& a, const std::vector<s
 
 }  // namespace
 
-HomePrint print_of_home(const Scene& home) {
-  HomePrint print;
+HomeFingerprint print_of_home(const Scene& home) {
+  HomeFingerprint print;
   for (const auto& things : groups_of(home)) add_pairs(things, print);
   std::sort(print.by_category.begin(), print.by_category.end());
   std::sort(print.by_size.begin(), print.by_size.end());
   return print;
 }
 
-double likeness_of_homes(const HomePrint& a, const HomePrint& b) {
+double likeness_of_homes(const HomeFingerprint& a, const HomeFingerprint& b) {
   return std::max(share_of_smaller(a.by_category, b.by_category), share_of_smaller(a.by_size, b.by_size));
 }
 

@@ -104,8 +104,8 @@ double likeness_of_goals(const GoalPrint& a, const GoalPrint& b) {
   return 2.0 * static_cast<double>(count_common(a, b)) / static_cast<double>(a.size() + b.size());
 }
 
-TextPrint print_of_text(std::string_view text) {
-  TextPrint print;
+TextFingerprint print_of_text(std::string_view text) {
+  TextFingerprint print;
   for (const auto& word : split(plain_words(text), ' ')) {
     if (word.empty() || word == "a" || word == "an" || word == "the") continue;
     print.words.push_back(static_cast<std::uint32_t>(Digester().add(word).digest().a));
@@ -115,7 +115,7 @@ TextPrint print_of_text(std::string_view text) {
   return print;
 }
 
-double likeness_of_texts(const TextPrint& a, const TextPrint& b, double floor) {
+double likeness_of_texts(const TextFingerprint& a, const TextFingerprint& b, double floor) {
   const auto longer = static_cast<double>(std::max(a.words.size(), b.words.size()));
   if (longer == 0) return 1;
   const double at_most = static_cast<double>(count_common(a.sorted, b.sorted)) / longer;

@@ -17,14 +17,14 @@ GoalPrint print_of_goal(const Formula& goal);
 double likeness_of_goals(const GoalPrint& a, const GoalPrint& b);
 
 /// The words of a text without case, punctuation and articles: hashes.
-struct TextPrint {
+struct TextFingerprint {
   std::vector<std::uint32_t> words;   // in order
   std::vector<std::uint32_t> sorted;  // the same
 };
-TextPrint print_of_text(std::string_view text);
+TextFingerprint print_of_text(std::string_view text);
 
 /// 1 - (words to insert, remove or replace to make one text of the other) / (words of the longer one): 0 to 1. Computed
 /// only as far as it matters: what is not above `floor` may be told as any number that is not above it either.
-double likeness_of_texts(const TextPrint& a, const TextPrint& b, double floor);
+double likeness_of_texts(const TextFingerprint& a, const TextFingerprint& b, double floor);
 
 }  // namespace unietp

@@ -11,12 +11,12 @@ double TaskLikeness::nearness() const {
 }
 
 NearestTasks::NearestTasks(ComparedSet other)
-    : other_(std::move(other)), by_home_(std::make_unique<MadeOnce<HomeLikenesses>>()) {}
+    : other_(std::move(other)), by_home_(std::make_unique<LazyValues<HomeLikenesses>>()) {}
 
 std::optional<Nearest> NearestTasks::of(const TaskRecord& task, const Scene& home) const {
   if (other_.tasks.empty()) return std::nullopt;
   const auto homes = by_home_->get(task.layout, [&] {
-    const HomePrint print = print_of_home(home);
+    const HomeFingerprint print = print_of_home(home);
     HomeLikenesses likenesses;
     for (const auto& other : other_.homes) likenesses.push_back(likeness_of_homes(print, *other.print));
     return likenesses;
@@ -26,7 +26,7 @@ std::optional<Nearest> NearestTasks::of(const TaskRecord& task, const Scene& hom
   nearest.home = homes->at(nearest.home_place);
 
   const GoalPrint goal = print_of_goal(task.goal_tree);
-  const TextPrint text = print_of_text(task.instruction);
+  const TextFingerprint text = print_of_text(task.instruction);
   const auto by_goal = [](const TaskLikeness& one) { return std::tuple(one.goal, one.home); };
   const auto by_text = [](const TaskLikeness& one) { return std::tuple(one.text, one.goal, one.home); };
   for (std::size_t place = 0; place < other_.tasks.size(); ++place) {

@@ -8,9 +8,9 @@
 
 #include "record/task_record.h"
 #include "scene/scene.h"
+#include "validator/lazy_values.h"
 #include "validator/likeness_of_homes.h"
 #include "validator/likeness_of_tasks.h"
-#include "validator/made_once.h"
 
 namespace unietp {
 
@@ -24,13 +24,13 @@ inline constexpr double kSimilarHome = 0.2, kSimilarGoal = 0.8, kSimilarText = 0
 struct ComparedSet {
   struct Home {
     std::string name;
-    std::shared_ptr<const HomePrint> print;
+    std::shared_ptr<const HomeFingerprint> print;
   };
   struct Task {
     std::string name;
     std::size_t home = 0;  // place in `homes`
     GoalPrint goal;
-    TextPrint text;
+    TextFingerprint text;
   };
   std::vector<Home> homes;
   std::vector<Task> tasks;
@@ -69,7 +69,7 @@ class NearestTasks {
   ComparedSet other_;
   /// Of an own home with each of the others.
   using HomeLikenesses = std::vector<double>;
-  std::unique_ptr<MadeOnce<HomeLikenesses>> by_home_;  // by pointer: it has a mutex, and this moves
+  std::unique_ptr<LazyValues<HomeLikenesses>> by_home_;  // by pointer: it has a mutex, and this moves
 };
 
 }  // namespace unietp

@@ -24,12 +24,12 @@ std::pair<std::uint64_t, std::uint64_t> words_key(const std::string& instruction
 struct TaskPrint {
   std::string name, layout, home_key;
   std::pair<std::uint64_t, std::uint64_t> words;
-  std::shared_ptr<const HomePrint> home;
+  std::shared_ptr<const HomeFingerprint> home;
   GoalPrint goal;
-  TextPrint text;
+  TextFingerprint text;
 };
 
-TaskPrint print_of_task(const TaskRecord& task, const Scene& home, MadeOnce<HomePrint>& homes) {
+TaskPrint print_of_task(const TaskRecord& task, const Scene& home, LazyValues<HomeFingerprint>& homes) {
   return {task.id,
           task.layout,
           home_key_of(home),
@@ -66,16 +66,16 @@ ProblemList RepeatSearch::problems(const TaskNames& names) {
   return problems;
 }
 
-Result<SetPrint> print_of(const std::filesystem::path& folder, int threads) {
+Result<SetFingerprint> print_of(const std::filesystem::path& folder, int threads) {
   const auto manifest = read_manifest_file(folder);
   if (!manifest) return manifest.error();
-  SetPrint print;
+  SetFingerprint print;
   print.folder = folder.string();
   print.seed = manifest->run.seed;
   auto reader = DatasetReader::open(folder, {});
   if (!reader) return reader.error();
   HomeCache& homes = reader->homes();
-  MadeOnce<HomePrint> prints;
+  LazyValues<HomeFingerprint> prints;
   std::map<std::string, std::size_t> places;  // of the homes
   const auto done = for_each_task<TaskPrint>(
       std::move(*reader), threads,
@@ -97,7 +97,7 @@ Result<SetPrint> print_of(const std::filesystem::path& folder, int threads) {
   return print;
 }
 
-LeakSearch::LeakSearch(SetPrint other)
+LeakSearch::LeakSearch(SetFingerprint other)
     : other_(std::move(other)), search_(std::exchange(other_.compared, {})), count_(other_.folder) {}
 
 std::optional<Nearest> LeakSearch::nearest(const TaskReading& task, const Scene& home) const {

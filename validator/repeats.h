@@ -31,7 +31,7 @@ class RepeatSearch {
 };
 
 /// What must not occur in two data sets, nor anything much like it.
-struct SetPrint {
+struct SetFingerprint {
   std::string folder;  // for messages
   std::uint64_t seed = 0;
   std::set<std::string> home_keys;
@@ -39,12 +39,12 @@ struct SetPrint {
   ComparedSet compared;
 };
 /// Reads tasks, manifest and homes of a finished data set. Errors: those of reading, the first by task.
-Result<SetPrint> print_of(const std::filesystem::path& folder, int threads);
+Result<SetFingerprint> print_of(const std::filesystem::path& folder, int threads);
 
 /// Finds what a data set shares with another one, and what it has that is much alike.
 class LeakSearch {
  public:
-  explicit LeakSearch(SetPrint other);
+  explicit LeakSearch(SetFingerprint other);
   /// What is most alike to one task, whose record must read. Thread-safe.
   std::optional<Nearest> nearest(const TaskReading& task, const Scene& home) const;
   /// The next task. `facts` may be those of a task whose scene does not read, which has no `nearest`.
@@ -54,7 +54,7 @@ class LeakSearch {
   LikenessReport likeness() const { return count_.report(); }
 
  private:
-  SetPrint other_;  // without `compared`
+  SetFingerprint other_;  // without `compared`
   NearestTasks search_;
   LikenessCount count_;
   ProblemList of_tasks_;

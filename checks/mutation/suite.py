@@ -91,14 +91,16 @@ def listed(build, rooms):
         if room == "house":
             continue
         if chosen is not None and (end_to_end or "fast" in labels):
-            tests.append((test["name"], room if room in rooms else "", str(program), chosen))
+            tests += [(f"{test['name'].split('.')[0]}.{name}", room if room in rooms else "", str(program), name)
+                      for name in tests_in(program, chosen)]
         elif end_to_end and program.name in WHOLE:
             tests += [(f"{test['name']}.{name}", "", str(program), name) for name in tests_in(program)]
     return tests
 
 
-def tests_in(program):
-    out = subprocess.run([program, "--gtest_list_tests"], check=True, capture_output=True, text=True).stdout
+def tests_in(program, chosen="*"):
+    out = subprocess.run([program, "--gtest_list_tests", f"--gtest_filter={chosen}"], check=True, capture_output=True,
+                         text=True).stdout
     names, suite = [], ""
     for line in out.splitlines():
         word = line.split("#")[0].rstrip()

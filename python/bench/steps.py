@@ -38,7 +38,7 @@ def played(env: unietp.TaskEnv, plans: list[tuple[int, list[object]]]) -> Callab
 
 def own_figures(folder: str) -> dict[str, float]:
     dataset = unietp.load_dataset(folder)
-    plans = [(i, [json.dumps(step.said()) for step in shown.steps]) for i, shown in enumerate(dataset.demonstrations())]
+    plans = [(i, [json.dumps(step.command()) for step in shown.steps]) for i, shown in enumerate(dataset.demonstrations())]
     env = unietp.make(folder, "M1", picture=False)
     figures: dict[str, float] = {"objects in a home": sum(len(dataset.home(t)["nodes"]) for t in dataset) / len(dataset)}
     for index, _ in plans:

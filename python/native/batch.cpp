@@ -15,12 +15,12 @@
 #include "environment/observation_json.h"
 #include "python/native/bindings.h"
 #include "python/native/catalog.h"
+#include "python/native/episode_tasks.h"
 #include "python/native/failure.h"
 #include "python/native/json_to_python.h"
 #include "python/native/observed.h"
 #include "python/native/readable.h"
 #include "python/native/settings_text.h"
-#include "python/native/task_supply.h"
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -35,7 +35,7 @@ using Seeds = std::vector<std::optional<std::uint64_t>>;
 /// Which task each environment's episodes have. Worker threads ask, each for environments of its own.
 class Episodes {
  public:
-  Episodes(TaskSupply supply, std::size_t count)
+  Episodes(EpisodeTasks supply, std::size_t count)
       : supply_(std::move(supply)), seeds_(count), first_(count), next_(count) {}
 
   Result<SharedTask> task(std::size_t environment, std::uint64_t episode) {
@@ -49,7 +49,7 @@ class Episodes {
   }
 
  private:
-  TaskSupply supply_;
+  EpisodeTasks supply_;
   Seeds seeds_;
   std::vector<std::uint64_t> first_, next_;
 };
@@ -64,7 +64,7 @@ struct AllObserved {
 
 class SharedBatch {
  public:
-  SharedBatch(std::size_t count, int threads, const TaskSupply& supply, const Settings& settings,
+  SharedBatch(std::size_t count, int threads, const EpisodeTasks& supply, const Settings& settings,
               const Encoding& encoding)
       : encoding_(&encoding),
         episodes_(std::make_unique<Episodes>(supply, count)),
@@ -85,10 +85,10 @@ class SharedBatch {
     return all;
   }
 
-  template <class Said>
-  AllObserved step(const std::vector<Said>& said) {
+  template <class Answered>
+  AllObserved step(const std::vector<Answered>& answer) {
     auto all = blank();
-    (void)value_of(batch_.step(std::span<const Said>(said), [&](std::size_t i, const StepResult& step) {
+    (void)value_of(batch_.step(std::span<const Answered>(answer), [&](std::size_t i, const StepResult& step) {
       all.rewards[i] = step.reward;
       all.terminated[i] = step.terminated ? 1 : 0;
       all.truncated[i] = step.truncated ? 1 : 0;
@@ -104,7 +104,7 @@ class SharedBatch {
     return {{{forms_[environment].command_of(numbers, own.settings().rules, own.observe()), {}}}, ""};
   }
   const Environment& at(std::size_t environment) const {
-    if (environment >= batch_.size()) throw Raised("there is no environment " + std::to_string(environment));
+    if (environment >= batch_.size()) throw PythonError("there is no environment " + std::to_string(environment));
     return batch_.at(environment);
   }
   std::size_t size() const { return batch_.size(); }
@@ -154,15 +154,15 @@ nb::tuple handed_over(AllObserved all) {
                         array_of(std::move(all.success)));
 }
 
-nb::tuple batch_said(SharedBatch& self, const std::vector<nb::bytes>& said) {
+nb::tuple batch_step(SharedBatch& self, const std::vector<nb::bytes>& answer) {
   std::vector<std::string> texts;
-  for (const auto& one : said) texts.emplace_back(one.c_str(), one.size());
+  for (const auto& one : answer) texts.emplace_back(one.c_str(), one.size());
   return handed_over(self.alone([&](SharedBatch& own) { return own.step(texts); }));
 }
 
 nb::tuple batch_numbers(SharedBatch& self, const Integers& actions, const Integers& arguments, const Boxes& boxes) {
   if (actions.shape(0) != self.size() || arguments.shape(0) != self.size() || boxes.shape(0) != self.size()) {
-    throw Raised("expected one action for each of " + std::to_string(self.size()) + " environments");
+    throw PythonError("expected one action for each of " + std::to_string(self.size()) + " environments");
   }
   return handed_over(self.alone([&](SharedBatch& own) {
     std::vector<Answer> answers;
@@ -180,7 +180,7 @@ void define_batch(nb::module_& module) {
   nb::class_<SharedBatch>(module, "Batch", "Environments that are stepped together on several threads.")
       .def(
           "__init__",
-          [](SharedBatch* self, std::size_t count, int threads, const TaskSupply& supply, const std::string& settings,
+          [](SharedBatch* self, std::size_t count, int threads, const EpisodeTasks& supply, const std::string& settings,
              const Encoding& encoding) {
             const nb::gil_scoped_release released;
             new (self) SharedBatch(count, threads, supply, settings_of(settings), encoding);
@@ -191,12 +191,12 @@ void define_batch(nb::module_& module) {
       .def(
           "reset",
           [](SharedBatch& self, const std::optional<Seeds>& seeds) {
-            if (seeds && seeds->size() != self.size()) throw Raised("expected one seed for each environment");
+            if (seeds && seeds->size() != self.size()) throw PythonError("expected one seed for each environment");
             return handed_over(self.alone([&](SharedBatch& own) { return own.reset(seeds); }));
           },
           "seeds"_a.none() = nb::none(),
           "Begins the next episode of each. Gives (arrays, pictures, rewards, terminated, truncated, success).")
-      .def("step", &batch_said, "said"_a, "One answer for each environment. Gives what reset gives.")
+      .def("step", &batch_step, "action"_a, "One answer for each environment. Gives what reset gives.")
       .def("step_numbers", &batch_numbers, "actions"_a, "arguments"_a, "boxes"_a,
            "The same for actions of Gymnasium's action space.")
       .def(

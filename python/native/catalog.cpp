@@ -14,8 +14,8 @@
 #include "dataset/configuration.h"
 #include "procedural/simulator_data.h"
 #include "python/native/bindings.h"
+#include "python/native/episode_tasks.h"
 #include "python/native/failure.h"
-#include "python/native/task_supply.h"
 #include "record/manifest_record.h"
 #include "resources/find_data_folder.h"
 #include "resources/resources.h"
@@ -42,7 +42,7 @@ std::shared_ptr<Catalog> load_catalog(const DataFolders& folders) {
 
 const Profile& profile_of(const Catalog& catalog, const std::string& simulator) {
   const auto found = simulator_named(simulator);
-  if (!found) throw Raised("no simulator is named " + in_quotes(simulator));
+  if (!found) throw PythonError("no simulator is named " + in_quotes(simulator));
   return *catalog.simulators[static_cast<std::size_t>(*found)].profile;
 }
 
@@ -53,16 +53,16 @@ std::vector<Value> named(const std::vector<std::string>& names, std::optional<Va
   std::vector<Value> values;
   for (const auto& name : names) {
     const auto value = find(name);
-    if (!value) throw Raised("no " + std::string(kind) + " is named " + in_quotes(name));
+    if (!value) throw PythonError("no " + std::string(kind) + " is named " + in_quotes(name));
     values.push_back(*value);
   }
   return values;
 }
 
-TaskSupply procedural(const Catalog& catalog, const std::vector<std::string>& simulators,
-                      const std::vector<std::string>& splits, const std::vector<std::string>& templates,
-                      const std::vector<std::string>& modes, const std::string& sense, int homes,
-                      std::uint64_t homes_seed, int attempts) {
+EpisodeTasks procedural(const Catalog& catalog, const std::vector<std::string>& simulators,
+                        const std::vector<std::string>& splits, const std::vector<std::string>& templates,
+                        const std::vector<std::string>& modes, const std::string& sense, int homes,
+                        std::uint64_t homes_seed, int attempts) {
   return {value_of(Procedural::make(
       catalog.resources,
       {named(simulators, simulator_named, "simulator"), named(splits, split_named, "split"), templates,
@@ -80,7 +80,7 @@ nb::dict listing_row(const TaskListing& row) {
   return dict;
 }
 
-nb::list listing(const TaskSupply& supply) {
+nb::list listing(const EpisodeTasks& supply) {
   nb::list rows;
   if (const auto* source = std::get_if<TaskSource>(&supply.from)) {
     for (const auto& row : source->listing()) rows.append(listing_row(row));
@@ -123,13 +123,14 @@ void define_catalog(nb::module_& module) {
           "objects", [](const TaskHandle& handle) { return handle.task->start.nodes.size(); },
           "Number of objects in the home at the start.");
 
-  nb::class_<TaskSupply>(module, "TaskSupply", "Where tasks come from. May be used by several threads.")
+  nb::class_<EpisodeTasks>(module, "EpisodeTasks", "Where tasks come from. May be used by several threads.")
       .def_static(
           "open",
           [](const std::filesystem::path& folder, const Catalog& catalog, std::size_t homes, std::size_t tasks) {
-            return TaskSupply{value_of(TaskSource::open(folder, catalog.simulators, {homes, tasks}))};
+            return EpisodeTasks{value_of(TaskSource::open(folder, catalog.simulators, {homes, tasks}))};
           },
-          "folder"_a, "catalog"_a, "homes"_a = 64, "tasks"_a = 256, nb::call_guard<nb::gil_scoped_release>(),
+          "folder"_a, "catalog"_a, "homes"_a = TaskSource::Kept().homes, "tasks"_a = TaskSource::Kept().tasks,
+          nb::call_guard<nb::gil_scoped_release>(),
           "The tasks of a data set. `homes`, `tasks`: how many are kept in memory once they were asked for.\n"
           "Raises Error for a folder without tasks and for a line that is not as it should be.")
       .def_static(
@@ -143,7 +144,7 @@ void define_catalog(nb::module_& module) {
            "new tasks.")
       .def(
           "task_of_episode",
-          [](const TaskSupply& supply, std::optional<std::uint64_t> seed, std::uint64_t episode) {
+          [](const EpisodeTasks& supply, std::optional<std::uint64_t> seed, std::uint64_t episode) {
             return TaskHandle{value_of(supply.task_of_episode(seed, episode))};
           },
           "seed"_a.none(), "episode"_a, nb::call_guard<nb::gil_scoped_release>(),
@@ -152,7 +153,7 @@ void define_catalog(nb::module_& module) {
           "made or its files are wrong.")
       .def(
           "task",
-          [](const TaskSupply& supply, std::uint64_t number) {
+          [](const EpisodeTasks& supply, std::uint64_t number) {
             return TaskHandle{value_of(supply.task_of_episode(std::nullopt, number))};
           },
           "number"_a, nb::call_guard<nb::gil_scoped_release>(),

@@ -98,12 +98,13 @@ nb::tuple reset(SharedEnvironment& self, const TaskHandle* task) {
   return handed_over(std::move(all));
 }
 
-template <class Said>
-nb::tuple step(SharedEnvironment& self, Said said) {
+/// `act` takes the environment and gives its StepResult.
+template <class Act>
+nb::tuple step(SharedEnvironment& self, const Act& act) {
   double reward = 0;
   bool terminated = false, truncated = false;
   auto all = self.alone([&](SharedEnvironment& own) {
-    auto result = said(own);
+    auto result = act(own);
     reward = result.reward;
     terminated = result.terminated;
     truncated = result.truncated;
@@ -113,8 +114,8 @@ nb::tuple step(SharedEnvironment& self, Said said) {
   return nb::make_tuple(handed_over(std::move(all)), reward, terminated, truncated);
 }
 
-nb::tuple step_said(SharedEnvironment& self, const nb::bytes& said) {
-  const std::string text(said.c_str(), said.size());
+nb::tuple step_answer(SharedEnvironment& self, const nb::bytes& answer) {
+  const std::string text(answer.c_str(), answer.size());
   return step(self, [&](SharedEnvironment& own) { return own.environment_.step(std::string_view(text)); });
 }
 
@@ -144,10 +145,10 @@ void define_acting(nb::class_<SharedEnvironment>& environment) {
           "Starts the first episode. Raises Error for settings that cannot be kept.")
       .def("reset", &reset, "task"_a.none() = nb::none(),
            "Begins this task again, or another. Gives (arrays, readable observation, picture or None).")
-      .def(
-          "step", &step_said, "said"_a,
-          "Reads what an agent said and executes it. Gives (as reset, reward, terminated, truncated). Never raises for "
-          "what was said.")
+      .def("step", &step_answer, "action"_a,
+           "Reads what an agent answered and executes it. Gives (as reset, reward, terminated, truncated). Never "
+           "raises for "
+           "what was answered.")
       .def("step_numbers", &step_numbers, "action"_a, "argument"_a, "box"_a,
            "The same for an action of Gymnasium's action space.")
       .def(

@@ -10,14 +10,14 @@
 namespace unietp::python {
 
 /// An Error on its way to Python, where it is unietp.Error.
-struct Raised : std::runtime_error {
+struct PythonError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
 /// The value, or its error raised.
 template <class T>
 T value_of(Result<T> result) {
-  if (!result) throw Raised(format(result.error()));
+  if (!result) throw PythonError(format(result.error()));
   return std::move(*result);
 }
 
@@ -26,7 +26,7 @@ inline void raise_any(const std::vector<Error>& errors) {
   if (errors.empty()) return;
   std::string text;
   for (const auto& error : errors) text += (text.empty() ? "" : "\n") + format(error);
-  throw Raised(text);
+  throw PythonError(text);
 }
 
 }  // namespace unietp::python

@@ -14,7 +14,7 @@ NB_MODULE(_native, module) {
   using namespace unietp;
   python::bind_math_functions();
   module.doc() = "The compiled part of unietp. Use the package's own functions and classes.";
-  nb::exception<python::Raised>(module, "Error", PyExc_ValueError);
+  nb::exception<python::PythonError>(module, "Error", PyExc_ValueError);
   module.def(
       "version", [] { return std::string(program_version()); }, "\"0.1.0\"");
   module.def(

@@ -70,11 +70,11 @@ def test_generate_makes_the_bytes_of_the_program(tmp_path):
 
 def test_validate_finds_a_changed_byte(folder, tmp_path):
     assert unietp.validate(folder)["problems"] == []
-    spoilt = tmp_path / "set"
-    shutil.copytree(folder, spoilt)
-    lines = (spoilt / "demonstrations" / "M1.jsonl").read_text()
-    (spoilt / "demonstrations" / "M1.jsonl").write_text(lines.replace('"success":true', '"success":false', 1))
-    assert unietp.validate(spoilt)["problems"]
+    damaged = tmp_path / "set"
+    shutil.copytree(folder, damaged)
+    lines = (damaged / "demonstrations" / "M1.jsonl").read_text()
+    (damaged / "demonstrations" / "M1.jsonl").write_text(lines.replace('"success":true', '"success":false', 1))
+    assert unietp.validate(damaged)["problems"]
     with pytest.raises(unietp.ProgramError):
         unietp.validate(tmp_path / "nowhere")
 

@@ -51,7 +51,7 @@ def test_arrays_say_what_the_readable_observation_says(folder, dataset):
     for task in dataset[:6]:
         env.reset(options={"task": task.id})
         for step in dataset.demonstration(task).steps[:-1]:
-            arrays, _, _, _, info = env.step(step.said())
+            arrays, _, _, _, info = env.step(step.command())
             readable, ids = info["observation"], env.ids()
             known = [*readable["rooms"], *readable["furniture"], *readable["movables"]]
             assert ids[: len(known)] == [thing["id"] for thing in known]
@@ -86,7 +86,7 @@ def test_numbers_do_what_names_do(folder, dataset, mode):
                 else:
                     size = np.array([width, height, width, height]) - 1
                     action["box"] = np.array(arg["bbox"]) / size
-            one, other = named.step(step.said()), numbered.step(action)
+            one, other = named.step(step.command()), numbered.step(action)
             assert first_bytes(one[0]) == first_bytes(other[0]) and one[1:4] == other[1:4]
             assert named.executed() == numbered.executed()
 
@@ -147,17 +147,17 @@ def test_snapshots_and_clones(folder, dataset):
     steps = dataset.demonstration(2, "M2").steps
     env.reset(options={"index": 2})
     for step in steps[: len(steps) // 2]:
-        env.step(step.said())
+        env.step(step.command())
     kept, here = env.snapshot(), env.observe()
     twin = env.clone()
-    rest = [env.step(step.said()) for step in steps[len(steps) // 2 :]]
+    rest = [env.step(step.command()) for step in steps[len(steps) // 2 :]]
     assert rest[-1][1] == 1
     assert twin.observe() == here
-    assert [first_bytes(twin.step(step.said())[0]) for step in steps[len(steps) // 2 :]] == [
+    assert [first_bytes(twin.step(step.command())[0]) for step in steps[len(steps) // 2 :]] == [
         first_bytes(one[0]) for one in rest
     ]
     assert env.restore(kept) == here
-    assert env.step(steps[len(steps) // 2].said())[1:4] == rest[0][1:4]
+    assert env.step(steps[len(steps) // 2].command())[1:4] == rest[0][1:4]
 
 
 ODD_ACTIONS = [
@@ -278,7 +278,7 @@ def test_the_readable_observation_is_what_the_server_tells(folder, dataset, sett
         for index, shown in enumerate(dataset.demonstrations(settings["mode"])):
             told = [call("reset", index=index)["observation"]]
             seen = [env.reset(options={"index": index})[1]["observation"]]
-            for said in ["no_such_action(1)", *[step.said() for step in shown.steps]]:
+            for said in ["no_such_action(1)", *[step.command() for step in shown.steps]]:
                 told.append(call("step", action=said)["observation"])
                 seen.append(env.step(said)[4]["observation"])
             for server_told, one in zip(told, seen, strict=True):

@@ -14,7 +14,7 @@ def replay(env, task, steps):
     _, info = env.reset(options={"task": task})
     for step in steps:
         seen = info["observation"]
-        _, reward, terminated, truncated, info = env.step(step.said())
+        _, reward, terminated, truncated, info = env.step(step.command())
         yield step, seen, env.executed(), reward, terminated or truncated, info
 
 
@@ -53,7 +53,7 @@ def test_a_plan_that_lacks_a_step_fails(folder, dataset, mode):
     for task, shown in zip(dataset, dataset.demonstrations(mode), strict=True):
         for left_out in range(len(shown.steps) - 1):
             env.reset(options={"task": task.id})
-            rest = [step.said() for number, step in enumerate(shown.steps) if number != left_out]
+            rest = [step.command() for number, step in enumerate(shown.steps) if number != left_out]
             _, reward, terminated, _, info = env.step(rest)
             assert reward == (1 if info.get("success", False) else 0), (task.id, left_out)
             if mode != "M3":
@@ -92,7 +92,7 @@ def test_the_scene_graph_follows_the_stored_changes(folder, dataset):
     env.reset(options={"task": task.id})
     assert by_id(env.scene()) == by_id(next(scenes))
     for step, scene in zip(dataset.demonstration(task).steps, scenes, strict=True):
-        env.step(step.said())
+        env.step(step.command())
         assert by_id(env.scene()) == by_id(scene), step
 
 
@@ -100,6 +100,6 @@ def test_a_list_of_actions_is_executed_in_turn(folder, dataset):
     env = unietp.make(folder, "M1", picture=False)
     for task, shown in zip(dataset, dataset.demonstrations("M1"), strict=True):
         env.reset(options={"task": task.id})
-        _, reward, terminated, _, info = env.step([step.said() for step in shown.steps])
+        _, reward, terminated, _, info = env.step([step.command() for step in shown.steps])
         assert terminated and reward == 1, task.id
         assert len(info["observation"]["results"]) == len(shown.steps)

@@ -51,7 +51,7 @@ def test_words_are_understood_as_by_single_environments(folder, dataset):
     envs.reset()  # both play the tasks in the order of the file
     shown = dataset.demonstration(0, "M2").steps
     for step in shown:
-        observation, rewards, terminated, _, info = envs.step([step.said(), "move_forward()"])
+        observation, rewards, terminated, _, info = envs.step([step.command(), "move_forward()"])
     assert rewards[0] == 1 and terminated[0] and info["success"][0] and info["_success"][0]
     assert not info["_success"][1] or not info["success"][1]
 

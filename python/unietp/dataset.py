@@ -29,7 +29,7 @@ class DemonstrationStep:
     visible: list[dict[str, Any]]  #: in the picture before the step: {"id", "box"}
     changes: dict[str, Any]  #: of the scene graph (`changed`)
 
-    def said(self) -> dict[str, Any]:
+    def command(self) -> dict[str, Any]:
         """The action as an environment takes it: {"action", "args"}."""
         return {"action": self.action, "args": self.args}
 

@@ -7,8 +7,8 @@ import numpy as np
 
 from unietp import _native
 from unietp._native import Error
-from unietp.spaces import MOST_SEED, Form, is_numbered, said_bytes
-from unietp.supply import Supply
+from unietp.spaces import MOST_SEED, EnvironmentSpaces, action_bytes, is_numbered
+from unietp.task_source import TaskSource
 
 Snapshot = _native.Snapshot
 
@@ -30,16 +30,23 @@ class TaskEnv(gymnasium.Env[dict[str, np.ndarray], Any]):
 
     metadata = {"render_modes": ["rgb_array", "ansi"], "render_fps": 4}
 
-    def __init__(self, supply: Supply, form: Form, *, render_mode: str | None = None, privileged: bool = False):
+    def __init__(
+        self,
+        source: TaskSource,
+        env_spaces: EnvironmentSpaces,
+        *,
+        render_mode: str | None = None,
+        privileged: bool = False,
+    ):
         if render_mode is not None and render_mode not in self.metadata["render_modes"]:
             raise Error(f"no render_mode is named {render_mode!r}; accepted are {self.metadata['render_modes']}")
         self.render_mode = render_mode
-        self.settings = form.settings  #: all settings by name
-        self.observation_space = form.observation_space
-        self.action_space = form.action_space
-        self.categories = form.categories  #: category or room type by its number in arrays
-        self.actions = form.actions  #: action by its number
-        self._supply, self._form, self._privileged = supply, form, privileged
+        self.settings = env_spaces.settings  #: all settings by name
+        self.observation_space = env_spaces.observation_space
+        self.action_space = env_spaces.action_space
+        self.categories = env_spaces.categories  #: category or room type by its number in arrays
+        self.actions = env_spaces.actions  #: action by its number
+        self._source, self._env_spaces, self._privileged = source, env_spaces, privileged
         self._seed: int | None = None
         self._episode = 0
         self._native: _native.Environment | None = None
@@ -60,12 +67,12 @@ class TaskEnv(gymnasium.Env[dict[str, np.ndarray], Any]):
         if seed is not None:
             self._seed, self._episode = seed & MOST_SEED, 0
         if options:
-            task = self._supply.task(options)
+            task = self._source.task(options)
         else:
-            task = self._supply.task_of_episode(self._seed, self._episode)
+            task = self._source.task_of_episode(self._seed, self._episode)
             self._episode += 1
         if self._native is None:
-            self._native = _native.Environment(task, self._form.text, self._form.encoding)
+            self._native = _native.Environment(task, self._env_spaces.text, self._env_spaces.encoding)
             return self._seen(self._native.observe())
         return self._seen(self._native.reset(task))
 
@@ -84,7 +91,7 @@ class TaskEnv(gymnasium.Env[dict[str, np.ndarray], Any]):
             box = np.asarray(action.get("box", (0, 0, 0, 0)), np.float64).tolist()
             seen, reward, terminated, truncated = native.step_numbers(int(action["action"]), int(action["argument"]), box)
         else:
-            seen, reward, terminated, truncated = native.step(said_bytes(action))
+            seen, reward, terminated, truncated = native.step(action_bytes(action))
         observation, info = self._seen(seen)
         if terminated or truncated:
             info["success"] = native.privileged()["success"]
@@ -93,7 +100,7 @@ class TaskEnv(gymnasium.Env[dict[str, np.ndarray], Any]):
     def render(self) -> Any:
         """The picture (uint8, height × width × 3) or the text, as `render_mode` says; None without one."""
         if self.render_mode == "rgb_array":
-            height, width, _ = self._form.image_shape
+            height, width, _ = self._env_spaces.image_shape
             return self._begun().render(width, height)
         return self.text() if self.render_mode == "ansi" else None
 
@@ -131,9 +138,9 @@ class TaskEnv(gymnasium.Env[dict[str, np.ndarray], Any]):
 
     def clone(self) -> "TaskEnv":
         """An independent copy at the same state."""
-        other = TaskEnv(self._supply, self._form, render_mode=self.render_mode, privileged=self._privileged)
+        other = TaskEnv(self._source, self._env_spaces, render_mode=self.render_mode, privileged=self._privileged)
         other._seed, other._episode = self._seed, self._episode
-        other._native = _native.Environment(self._begun().task, self._form.text, self._form.encoding)
+        other._native = _native.Environment(self._begun().task, self._env_spaces.text, self._env_spaces.encoding)
         other._native.restore(self.snapshot())
         return other
 
@@ -165,7 +172,7 @@ class TaskEnv(gymnasium.Env[dict[str, np.ndarray], Any]):
         arrays, readable, picture = seen
         if picture is not None:
             readable["image"] = picture
-            arrays["image"] = self._form.padded(picture)
+            arrays["image"] = self._env_spaces.padded(picture)
         native = self._begun()
         info: dict[str, Any] = {"task": native.task.id, "observation": readable}
         if self._privileged:

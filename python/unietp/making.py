@@ -12,8 +12,8 @@ from unietp import _native
 from unietp._native import Error
 from unietp.environment import TaskEnv
 from unietp.places import catalog
-from unietp.spaces import Form
-from unietp.supply import Supply
+from unietp.spaces import EnvironmentSpaces
+from unietp.task_source import TaskSource
 from unietp.vector import VectorTaskEnv
 
 MODES = ("M1", "M2", "M3")
@@ -103,8 +103,8 @@ def make_single(
     privileged: bool = False,
     **settings: Any,
 ) -> TaskEnv:
-    supply = _supply(dataset, procedural)
-    return TaskEnv(supply, _form(supply, mode, settings, max_things), render_mode=render_mode, privileged=privileged)
+    source = _task_source(dataset, procedural)
+    return TaskEnv(source, _env_spaces(source, mode, settings, max_things), render_mode=render_mode, privileged=privileged)
 
 
 def make_batch(
@@ -117,8 +117,8 @@ def make_batch(
     max_things: int = 512,
     **settings: Any,
 ) -> VectorTaskEnv:
-    supply = _supply(dataset, procedural)
-    return VectorTaskEnv(num_envs, supply, _form(supply, mode, settings, max_things), threads=threads)
+    source = _task_source(dataset, procedural)
+    return VectorTaskEnv(num_envs, source, _env_spaces(source, mode, settings, max_things), threads=threads)
 
 
 def _name_of(mode: str) -> str:
@@ -139,11 +139,11 @@ def _settings_text(mode: str, settings: dict[str, Any]) -> str:
         raise Error(f"settings: {error}") from error
 
 
-def _form(supply: Supply, mode: str, settings: dict[str, Any], max_things: int) -> Form:
-    return Form(supply, json.loads(_native.complete_settings(_settings_text(mode, settings))), max_things)
+def _env_spaces(source: TaskSource, mode: str, settings: dict[str, Any], max_things: int) -> EnvironmentSpaces:
+    return EnvironmentSpaces(source, json.loads(_native.complete_settings(_settings_text(mode, settings))), max_things)
 
 
-def _supply(dataset: str | None, procedural: dict[str, Any] | None) -> Supply:
+def _task_source(dataset: str | None, procedural: dict[str, Any] | None) -> TaskSource:
     if (dataset is None) == (procedural is None):
         raise Error("give either a data set or what new tasks to make")
     if procedural is not None:
@@ -158,14 +158,14 @@ def _supply(dataset: str | None, procedural: dict[str, Any] | None) -> Supply:
 
 # Opened once for a process, so that environments share homes and tasks.
 @functools.lru_cache(maxsize=8)
-def _stored_tasks(folder: Path, changed: int) -> Supply:  # `changed`: another file is another entry
+def _stored_tasks(folder: Path, changed: int) -> TaskSource:  # `changed`: another file is another entry
     extended = _native.records_extended_library(folder)
     shared = catalog(extended)
-    return Supply(_native.TaskSupply.open(folder, shared), shared, extended)
+    return TaskSource(_native.EpisodeTasks.open(folder, shared), shared, extended)
 
 
 @functools.lru_cache(maxsize=8)
-def _new_tasks(options: str) -> Supply:
+def _new_tasks(options: str) -> TaskSource:
     wanted = json.loads(options)
     defaults = {
         "simulators": ["ai2thor", "virtualhome", "habitat", "behavior"], "splits": [], "templates": [], "modes": ["M1"],
@@ -174,7 +174,7 @@ def _new_tasks(options: str) -> Supply:
     if unknown := sorted(wanted.keys() - defaults.keys()):
         raise Error(f"procedural has no option {unknown[0]!r}; accepted are {', '.join(defaults)}")
     try:
-        made = _native.TaskSupply.procedural(catalog(), **(defaults | wanted))
+        made = _native.EpisodeTasks.procedural(catalog(), **(defaults | wanted))
     except TypeError as error:
         raise Error(f"procedural: an option has a value of another type than {defaults}") from error
-    return Supply(made, catalog(), False)
+    return TaskSource(made, catalog(), False)

@@ -7,7 +7,7 @@ import numpy as np
 from gymnasium import spaces
 
 from unietp import _native
-from unietp.supply import Supply
+from unietp.task_source import TaskSource
 
 INSTRUCTION_BYTES = 1024
 MOST_SEED = 2**53 - 1
@@ -16,17 +16,17 @@ MOST_SEED = 2**53 - 1
 KINDS = ("", "room", "furniture", "movable", "seen")
 
 
-class Form:
+class EnvironmentSpaces:
     """How an environment with these settings looks to Gymnasium. docs/python.md has the tables."""
 
-    def __init__(self, supply: Supply, settings: dict[str, Any], max_things: int):
+    def __init__(self, source: TaskSource, settings: dict[str, Any], max_things: int):
         self.settings = settings
         self.text = json.dumps(settings)
-        self.categories = ("", *supply.catalog.categories)
-        self.actions = tuple(_native.offered_actions(self.text, supply.extended))
+        self.categories = ("", *source.catalog.categories)
+        self.actions = tuple(_native.offered_actions(self.text, source.extended))
         self.names_boxes = "box" in (settings["reach"], settings["atomic"], settings["composite"])
-        self.encoding = _native.Encoding(supply.catalog, list(self.actions), max_things, INSTRUCTION_BYTES)
-        width, height = supply.image_size
+        self.encoding = _native.Encoding(source.catalog, list(self.actions), max_things, INSTRUCTION_BYTES)
+        width, height = source.image_size
         self.image_shape = (settings["image_height"] or height, settings["image_width"] or width, 3)
         self.observation_space = self._observation_space(max_things)
         self.action_space = self._action_space(max_things)
@@ -68,7 +68,7 @@ class Form:
         return framed
 
 
-def said_bytes(action: Any) -> bytes:
+def action_bytes(action: Any) -> bytes:
     """An action that is no dict of numbers as bytes for the environment, which reads any. Never raises."""
     if isinstance(action, (bytes, bytearray, memoryview)):
         return bytes(action)

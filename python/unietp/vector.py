@@ -10,8 +10,8 @@ from gymnasium.vector.utils import batch_space
 
 from unietp import _native
 from unietp._native import Error
-from unietp.spaces import MOST_SEED, Form, is_numbered, said_bytes
-from unietp.supply import Supply
+from unietp.spaces import MOST_SEED, EnvironmentSpaces, action_bytes, is_numbered
+from unietp.task_source import TaskSource
 
 
 class VectorTaskEnv(VectorEnv[dict[str, np.ndarray], Any, np.ndarray]):
@@ -27,19 +27,19 @@ class VectorTaskEnv(VectorEnv[dict[str, np.ndarray], Any, np.ndarray]):
 
     metadata = {"autoreset_mode": AutoresetMode.NEXT_STEP, "render_modes": []}
 
-    def __init__(self, num_envs: int, supply: Supply, form: Form, *, threads: int | None = None):
+    def __init__(self, num_envs: int, source: TaskSource, env_spaces: EnvironmentSpaces, *, threads: int | None = None):
         if num_envs < 1:
             raise Error("expected at least one environment")
-        if supply.single is not None:
+        if source.single is not None:
             raise Error("a batch needs the tasks of a data set; give its folder without the id of a task")
         self.num_envs = num_envs
-        self.settings, self.categories, self.actions = form.settings, form.categories, form.actions
-        self.single_observation_space, self.single_action_space = form.observation_space, form.action_space
-        self.observation_space = batch_space(form.observation_space, num_envs)
-        self.action_space = batch_space(form.action_space, num_envs)
-        self._form = form
+        self.settings, self.categories, self.actions = env_spaces.settings, env_spaces.categories, env_spaces.actions
+        self.single_observation_space, self.single_action_space = env_spaces.observation_space, env_spaces.action_space
+        self.observation_space = batch_space(env_spaces.observation_space, num_envs)
+        self.action_space = batch_space(env_spaces.action_space, num_envs)
+        self._env_spaces = env_spaces
         self._native: _native.Batch | None = _native.Batch(
-            num_envs, threads or len(os.sched_getaffinity(0)), supply.native, form.text, form.encoding
+            num_envs, threads or len(os.sched_getaffinity(0)), source.native, env_spaces.text, env_spaces.encoding
         )
 
     def reset(
@@ -74,7 +74,7 @@ class VectorTaskEnv(VectorEnv[dict[str, np.ndarray], Any, np.ndarray]):
                 np.ascontiguousarray(boxes, np.float64),
             )
         else:
-            result = self._alive().step([said_bytes(action) for action in actions])
+            result = self._alive().step([action_bytes(action) for action in actions])
         observations, info, rest = self._seen(result)
         rewards, terminated, truncated, success = rest
         ended = (terminated | truncated).astype(bool)
@@ -109,6 +109,6 @@ class VectorTaskEnv(VectorEnv[dict[str, np.ndarray], Any, np.ndarray]):
     def _seen(self, result: tuple) -> tuple[dict[str, np.ndarray], dict[str, Any], list[np.ndarray]]:
         arrays, pictures, *rest = result
         if pictures:
-            arrays["image"] = np.stack([self._form.padded(picture) for picture in pictures])
+            arrays["image"] = np.stack([self._env_spaces.padded(picture) for picture in pictures])
         ids = np.array([self._alive().task_id(i) for i in range(self.num_envs)], dtype=object)
         return arrays, {"task": ids, "_task": np.ones(self.num_envs, bool)}, rest

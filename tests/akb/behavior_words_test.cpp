@@ -84,6 +84,15 @@ TEST(WordNetWords, AreThoseOfWhichTheSynsetIsTheFirstSense) {
   EXPECT_TRUE(words->usual_words("no synset").empty());
 }
 
+TEST(WordNetWords, AWordThatTheIndexLacksIsNoUsualWord) {
+  const ScratchFolder folder;
+  ASSERT_TRUE(write_file(folder.path() / "data.noun", "00000000 06 n 03 mug 0 Beaker 0 tea_mug 0 000 | a vessel\n"));
+  ASSERT_TRUE(write_file(folder.path() / "index.noun", "mug n 1 0 1 1 00000000\ntea_mug n 1 0 1 0 00000000\n"));
+  const auto words = WordNetWords::read(folder.path());
+  ASSERT_TRUE(words) << format(words.error());
+  EXPECT_EQ(words->usual_words("mug.n.01"), (std::vector<std::string>{"mug", "tea mug"}));
+}
+
 TEST(WordNetWords, AMissingFileIsAnError) {
   const ScratchFolder folder;
   const auto words = WordNetWords::read(folder.path());

@@ -343,6 +343,10 @@ TEST(Complete, ALimitBoundsWhatIsAskedAndTheNextRunGoesOn) {
   EXPECT_EQ(home.run(endpoint_of(server), options).accepted.at(FactKind::Function), 2);
   EXPECT_EQ(home.run(endpoint_of(server), options).accepted.at(FactKind::Function), 1);
   EXPECT_EQ(home.run(endpoint_of(server), options).totals.asked, 0);
+  const Home other;
+  options.limit = 1;
+  EXPECT_EQ(other.run(endpoint_of(server), options).accepted.at(FactKind::Function), 1);
+  EXPECT_EQ(other.run(endpoint_of(server), options).accepted.at(FactKind::Function), 1);
 }
 
 TEST(Complete, AFaultyFileOfCompletedFactsIsPlaced) {

@@ -19,7 +19,7 @@ const auto& named(const Pairs& pairs, const std::string& name) {
 TEST(Coverage, CountsFactsByKindAndSourceWithTheirMeanConfidence) {
   const auto coverage = coverage_of(test::small_knowledge());
   EXPECT_EQ(coverage.categories, 6U);
-  const Counted& affordances = named(coverage.tables, "affordance");
+  const FactCounts& affordances = named(coverage.tables, "affordance");
   EXPECT_EQ(affordances.facts, 5U);
   EXPECT_DOUBLE_EQ(affordances.mean_confidence(), (4 + 0.9) / 5);
   EXPECT_EQ(affordances.by_kind, (std::map<std::string, std::size_t>{{"curated", 4}, {"metadata", 1}}));

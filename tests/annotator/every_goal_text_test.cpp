@@ -63,6 +63,19 @@ TEST(EveryGoal, HasWordsThatReadBackAsIt) {
   EXPECT_EQ(met.size(), static_cast<std::size_t>(Formula::Op::Before) + 1) << "not every operator was met";
 }
 
+TEST(EveryGoal, LinksTheLastOfThreePartsByAnd) {
+  const Knowledge knowledge = two_categories();
+  int met = 0;
+  for (std::uint64_t seed = 0; seed < 600 && met < 5; ++seed) {
+    const std::string text = words_of(::unietp::testing::GoalWriter(Rng(seed)).goal(), knowledge, seed);
+    const auto list = text.find("all three of these hold: ");
+    if (list == std::string::npos) continue;
+    ++met;
+    EXPECT_NE(text.find(", and ", list), std::string::npos) << text;
+  }
+  EXPECT_EQ(met, 5);
+}
+
 TEST(EveryGoal, SpeaksOfEveryPredicateOverTime) {
   const Knowledge knowledge = small_knowledge();
   for (const PredicateInfo& predicate : all_predicates()) {

@@ -31,7 +31,7 @@ std::string template_with(const std::string& from, const std::string& to) {
   return replace_all(sound, from, to);
 }
 
-/// The tables and the library, copied so that one thing in them can be spoilt.
+/// The tables and the library, copied so that one thing in them can be damaged.
 class OwnData : public ::testing::Test {
  protected:
   void SetUp() override {

@@ -10,9 +10,9 @@
 #include "core/files.h"
 #include "core/sqlite_file.h"
 #include "core/text.h"
+#include "damaged_task.h"
 #include "data_set.h"
 #include "record/home_cache.h"
-#include "spoilt_task.h"
 
 namespace unietp {
 namespace {
@@ -24,8 +24,8 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 using Json = nlohmann::ordered_json;
 
-std::vector<SpoiltTask> tasks_of(const SpoiltCopy& copy) {
-  std::vector<SpoiltTask> tasks;
+std::vector<DamagedTask> tasks_of(const DamagedCopy& copy) {
+  std::vector<DamagedTask> tasks;
   std::map<std::string, Json> demonstrations;
   for (const auto& line : json_lines(copy.folder() / "demonstrations/M1.jsonl")) demonstrations[line["task"]] = line;
   for (const auto& task : json_lines(copy.folder() / "tasks.jsonl"))
@@ -35,21 +35,22 @@ std::vector<SpoiltTask> tasks_of(const SpoiltCopy& copy) {
   return tasks;
 }
 
-void write(const SpoiltTask& spoilt, std::string& tasks, std::string& demonstrations) {
-  tasks += (spoilt.task_line.empty() ? spoilt.line().dump() : spoilt.task_line) + "\n";
-  if (!spoilt.without_demonstration) demonstrations += spoilt.demonstration.dump() + "\n";
+void write(const DamagedTask& damaged, std::string& tasks, std::string& demonstrations) {
+  tasks += (damaged.task_line.empty() ? damaged.line().dump() : damaged.task_line) + "\n";
+  if (!damaged.without_demonstration) demonstrations += damaged.demonstration.dump() + "\n";
 }
 
-/// Each task of a data set spoilt in a way of its own, as far as there are ways that fit, and what is said of all that.
-/// Made in as many copies as it takes.
+/// Each task of a data set damaged in a way of its own, as far as there are ways that fit, and what is said of all
+/// that. Made in as many copies as it takes.
 struct Outcome {
   std::map<std::string, std::set<std::string>> kinds_by_corruption;
-  std::set<std::string> blamed_falsely;  // tasks that nobody spoilt
+  std::set<std::string> blamed_falsely;  // tasks that nobody damaged
 };
 
-std::vector<Corruption> pickiest_first(const std::vector<SpoiltTask>& tasks) {
+std::vector<Corruption> pickiest_first(const std::vector<DamagedTask>& tasks) {
   const auto fitting = [&tasks](const Corruption& corruption) {
-    return std::count_if(tasks.begin(), tasks.end(), [&corruption](SpoiltTask task) { return corruption.spoil(task); });
+    return std::count_if(tasks.begin(), tasks.end(),
+                         [&corruption](DamagedTask task) { return corruption.damage(task); });
   };
   std::vector<std::pair<std::ptrdiff_t, Corruption>> counted;
   for (const auto& corruption : kCorruptions) counted.emplace_back(fitting(corruption), corruption);
@@ -65,7 +66,7 @@ const Outcome& outcome() {
     std::set<std::string> left;
     for (const auto& corruption : kCorruptions) left.insert(corruption.name);
     for (int round = 0; round < 4 && !left.empty(); ++round) {
-      SpoiltCopy copy;
+      DamagedCopy copy;
       auto tasks = tasks_of(copy);
       std::map<std::string, std::string> corruption_of;       // by task
       for (const auto& corruption : pickiest_first(tasks)) {  // each takes the first task that fits and is still sound
@@ -73,9 +74,9 @@ const Outcome& outcome() {
         for (auto& task : tasks) {
           const std::string id = task.task["id"];
           if (corruption_of.contains(id)) continue;
-          SpoiltTask spoilt = task;
-          if (!corruption.spoil(spoilt)) continue;
-          task = std::move(spoilt);
+          DamagedTask damaged = task;
+          if (!corruption.damage(damaged)) continue;
+          task = std::move(damaged);
           corruption_of[id] = corruption.name;
           break;
         }
@@ -105,7 +106,7 @@ class TaskCorruption : public ::testing::TestWithParam<Corruption> {};
 
 TEST_P(TaskCorruption, IsNamed) {
   const auto found = outcome().kinds_by_corruption.find(GetParam().name);
-  ASSERT_NE(found, outcome().kinds_by_corruption.end()) << "no task could be spoilt this way, or nothing was told";
+  ASSERT_NE(found, outcome().kinds_by_corruption.end()) << "no task could be damaged this way, or nothing was told";
   EXPECT_THAT(found->second, Contains(GetParam().kind));
 }
 
@@ -115,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(Every, TaskCorruption, ::testing::ValuesIn(kCorruptions
 TEST(Corruption, NoOtherTaskIsBlamed) { EXPECT_THAT(outcome().blamed_falsely, IsEmpty()); }
 
 TEST(Corruption, AnUnchangedCopyIsProven) {
-  SpoiltCopy copy;
+  DamagedCopy copy;
   copy.vouch();
   const auto verdict = validate(copy.folder());
   EXPECT_EQ(verdict.code, 0);
@@ -130,7 +131,7 @@ std::set<std::pair<std::string, std::string>> told(const Verdict& verdict) {
 
 /// What is wrong with the folder as a whole, all at once.
 TEST(Corruption, WhatConcernsTheFolderIsNamed) {
-  SpoiltCopy copy;
+  DamagedCopy copy;
   const auto first = Json::parse(split(copy.read("tasks.jsonl"), '\n').at(0));
   const std::string home = home_file(first["layout"]);
   const Json given_up{{"format", "unietp-rejection/1"},
@@ -176,7 +177,7 @@ TEST(Corruption, WhatConcernsTheFolderIsNamed) {
 
 /// What is written from other files is made again and compared.
 TEST(Corruption, WhatFollowsFromOtherFilesIsNamed) {
-  SpoiltCopy copy;
+  DamagedCopy copy;
   copy.write("README.md", replace_all(copy.read("README.md"), "# 40 verified", "# 41 verified"));
   copy.write("reviews.jsonl",
              R"({"format":"unietp-review-mark/1","task":"nobody-00001","verdict":"accept","comment":""})"
@@ -199,7 +200,7 @@ TEST(Corruption, WhatFollowsFromOtherFilesIsNamed) {
 }
 
 TEST(Corruption, RepeatedTasksAreNamed) {
-  SpoiltCopy copy;
+  DamagedCopy copy;
   auto lines = split(copy.read("tasks.jsonl"), '\n');
   auto shown = split(copy.read("demonstrations/M1.jsonl"), '\n');
   auto twin = Json::parse(lines.at(0));
@@ -228,7 +229,7 @@ TEST(Corruption, RepeatedTasksAreNamed) {
 
 /// A data set shares all with itself, and a turn of phrase is not of the set that the manifest claims.
 TEST(Corruption, LeaksAndPhrasingsOfTheOtherSetAreNamed) {
-  SpoiltCopy copy;
+  DamagedCopy copy;
   auto manifest = Json::parse(copy.read("manifest.json"));
   manifest["configuration"]["phrasings"] = "training";
   copy.write("manifest.json", manifest.dump());
@@ -245,7 +246,7 @@ TEST(Corruption, LeaksAndPhrasingsOfTheOtherSetAreNamed) {
 
 /// Each home under another name and with one object moved, each instruction with another article.
 TEST(Corruption, CopiesWithSmallChangesAreLeaks) {
-  SpoiltCopy copy;
+  DamagedCopy copy;
   auto tasks = json_lines(copy.folder() / "tasks.jsonl");
   std::string lines;
   for (auto& task : tasks) {
@@ -281,7 +282,7 @@ TEST(Corruption, SetsThatWereMadeApartAreNotAlike) {
 }
 
 TEST(Corruption, WordingsOfAnotherTaskAreNamed) {
-  SpoiltCopy copy;
+  DamagedCopy copy;
   const auto annotated = run_program({"annotate", copy.folder().string(), "--paired"});
   ASSERT_EQ(annotated.code, 0) << annotated.err;
   auto lines = split(copy.read("wordings.jsonl"), '\n');
@@ -300,7 +301,7 @@ TEST(Corruption, WordingsOfAnotherTaskAreNamed) {
 }
 
 TEST(Corruption, AFolderWithoutTasksOrManifestIsNamed) {
-  SpoiltCopy copy;
+  DamagedCopy copy;
   copy.write("manifest.json", "{");
   std::filesystem::remove(copy.folder() / "tasks.jsonl");
   const auto verdict = validate(copy.folder());

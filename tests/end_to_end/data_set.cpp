@@ -88,17 +88,17 @@ Json start_json(const std::filesystem::path& folder, const Json& task) {
   return Json::parse(scene_to_json(start_of(folder, task)));
 }
 
-SpoiltCopy::SpoiltCopy() : folder_(scratch_.at("copy")) {
+DamagedCopy::DamagedCopy() : folder_(scratch_.at("copy")) {
   std::filesystem::copy(small_data_set(), folder_, std::filesystem::copy_options::recursive);
 }
 
-std::string SpoiltCopy::read(const std::string& file) const { return bytes_of(folder_ / file); }
+std::string DamagedCopy::read(const std::string& file) const { return bytes_of(folder_ / file); }
 
-void SpoiltCopy::write(const std::string& file, const std::string& bytes) const {
+void DamagedCopy::write(const std::string& file, const std::string& bytes) const {
   EXPECT_TRUE(write_file(folder_ / file, bytes));
 }
 
-void SpoiltCopy::vouch() const {
+void DamagedCopy::vouch() const {
   auto manifest = Json::parse(read("manifest.json"));
   for (auto& file : manifest["files"]) {
     const auto bytes = read(file["path"].get<std::string>());

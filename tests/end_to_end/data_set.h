@@ -37,11 +37,11 @@ std::vector<nlohmann::ordered_json> json_lines(const std::filesystem::path& file
 Scene start_of(const std::filesystem::path& folder, const nlohmann::ordered_json& task);
 nlohmann::ordered_json start_json(const std::filesystem::path& folder, const nlohmann::ordered_json& task);
 
-/// A copy of the small data set in which things can be spoilt. `vouch` makes the manifest's checksums true again, so
+/// A copy of the small data set in which things can be damaged. `vouch` makes the manifest's checksums true again, so
 /// that only what the files mean is left to find.
-class SpoiltCopy {
+class DamagedCopy {
  public:
-  SpoiltCopy();
+  DamagedCopy();
   const std::filesystem::path& folder() const { return folder_; }
   std::string read(const std::string& file) const;
   void write(const std::string& file, const std::string& bytes) const;

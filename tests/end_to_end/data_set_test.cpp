@@ -101,13 +101,13 @@ TEST(DataSet, ATaskIsDrawnFromAbove) {
   EXPECT_FALSE(fs::exists(folder.at("no.svg")));
 
   // A demonstration that is not as it should be is refused at its line.
-  const fs::path spoilt = folder.path() / "spoilt";
-  fs::create_directories(spoilt / "demonstrations");
-  fs::copy(small_data_set() / "homes", spoilt / "homes");
-  fs::copy(small_data_set() / "tasks.jsonl", spoilt / "tasks.jsonl");
+  const fs::path damaged = folder.path() / "damaged";
+  fs::create_directories(damaged / "demonstrations");
+  fs::copy(small_data_set() / "homes", damaged / "homes");
+  fs::copy(small_data_set() / "tasks.jsonl", damaged / "tasks.jsonl");
   const std::string line = R"({"task":")" + task + R"(","steps":[7]})";
-  ASSERT_TRUE(write_file(spoilt / "demonstrations" / "M1.jsonl", line + "\n"));
-  const auto refused = run_program({"render", spoilt.string(), task, "--out", folder.at("no.svg")});
+  ASSERT_TRUE(write_file(damaged / "demonstrations" / "M1.jsonl", line + "\n"));
+  const auto refused = run_program({"render", damaged.string(), task, "--out", folder.at("no.svg")});
   EXPECT_EQ(refused.code, 2);
   EXPECT_THAT(refused.err, HasSubstr("M1.jsonl:1"));
   EXPECT_FALSE(fs::exists(folder.at("no.svg")));

@@ -66,7 +66,7 @@ bool survives_a_kill(const WritingCommand& command, const Undisturbed& known, in
 class KilledAtRandom : public ::testing::TestWithParam<WritingCommand> {};
 
 TEST_P(KilledAtRandom, LosesNothing) {
-  constexpr int kKills = 12;  // of each command, more than 200 of all
+  constexpr int kKills = 9;  // of each command, more than 200 of all
   const WritingCommand& command = GetParam();
   const auto known = undisturbed(command);
   Rng rng(static_cast<std::uint64_t>(known.changes));

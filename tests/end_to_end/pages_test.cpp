@@ -261,7 +261,7 @@ TEST_F(Pages, AVerdictOnAnotherTextIsRefused) {
   EXPECT_EQ(apply(bad).code, 2);
 }
 
-TEST_F(Pages, ASpoiltDemonstrationIsNamedAndNothingChanges) {
+TEST_F(Pages, ADamagedDemonstrationIsNamedAndNothingChanges) {
   const auto file = data() / "demonstrations/M1.jsonl";
   auto text = *read_file(file);
   const auto steps = text.find("\"steps\":");

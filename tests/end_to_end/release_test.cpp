@@ -233,7 +233,12 @@ TEST(ExportRelease, EveryTaskIsThereOrLeftOutWithAReason) {
   }
   EXPECT_EQ(told.size(), json_lines(small_data_set() / "tasks.jsonl").size());
   EXPECT_GE(2 * exported, told.size()) << *read_file(release() / "left_out.jsonl");
-  EXPECT_EQ(json_lines(release() / "scenes.jsonl").size(), exported);
+  const auto scenes = json_lines(release() / "scenes.jsonl");
+  ASSERT_EQ(scenes.size(), exported);
+  for (const auto& line : scenes) {
+    EXPECT_TRUE(told.contains(line["task"].get<std::string>()));
+    EXPECT_FALSE(line["not_said"].empty()) << "no format holds all of a scene";
+  }
 }
 
 }  // namespace

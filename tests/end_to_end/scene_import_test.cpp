@@ -194,8 +194,8 @@ INSTANTIATE_TEST_SUITE_P(
                {"--assets", (kUpstream / "behavior/object_inventory.json.gz").string()}}),
     name_of_sample);
 
-/// Spoilt files: each is refused with what is wrong, and nothing is written, also of the sound file beside it.
-class SpoiltFiles : public ::testing::Test {
+/// Damaged files: each is refused with what is wrong, and nothing is written, also of the sound file beside it.
+class DamagedFiles : public ::testing::Test {
  protected:
   static std::string sound() { return (kHomes / "kitchen.ithor.json").string(); }
   static std::string text_of(const std::string& home) {
@@ -221,7 +221,7 @@ class SpoiltFiles : public ::testing::Test {
   ScratchFolder folder_;
 };
 
-TEST_F(SpoiltFiles, CutGzipMissingFileAndForeignTextAreNamed) {
+TEST_F(DamagedFiles, CutGzipMissingFileAndForeignTextAreNamed) {
   const auto packed = gzip(text_of("kitchen.ithor.json"));
   ASSERT_TRUE(write_file(folder_.at("cut.json.gz"), packed.substr(0, packed.size() / 2)));
   expect_refused("auto", folder_.at("cut.json.gz"), "cut.json.gz: parse error: not a whole gzip file");
@@ -233,7 +233,7 @@ TEST_F(SpoiltFiles, CutGzipMissingFileAndForeignTextAreNamed) {
   expect_refused("ithr", sound(), "did you mean \"ithor\"");
   expect_refused("virtualhome", sound(), "kitchen.ithor.json");
 }
-TEST_F(SpoiltFiles, PosesThatAreNoNumbersArePlaced) {
+TEST_F(DamagedFiles, PosesThatAreNoNumbersArePlaced) {
   expect_refused("auto", with("kitchen.ithor.json", "0.94", "NaN"), "kitchen.ithor.json:");
   expect_refused("auto", with("flat.virtualhome.json", "0.81", "1e999"), "flat.virtualhome.json");
   expect_refused("auto", with("apartment.replicacad.scene_instance.json", "0.757", "null"),
@@ -241,13 +241,13 @@ TEST_F(SpoiltFiles, PosesThatAreNoNumbersArePlaced) {
   expect_refused("auto", with("houses.procthor.jsonl", "0.804", "\"high\""), "houses.procthor.jsonl");
   expect_refused("auto", with("small.behavior.json", "0.507", "-1e400"), "small.behavior.json");
 }
-TEST_F(SpoiltFiles, AFolderThatCannotBeWrittenIsNamed) {
+TEST_F(DamagedFiles, AFolderThatCannotBeWrittenIsNamed) {
   const auto ended = run_program({"scene", "import", "auto", sound(), "--out", "/proc/homes"});
   EXPECT_EQ(ended.code, 2);
   EXPECT_THAT(ended.err, HasSubstr("/proc/homes"));
   EXPECT_THAT(ended.err, HasSubstr("choose a folder that you can write to"));
 }
-TEST_F(SpoiltFiles, AHomeThatCannotBeBuiltLosesNoOther) {
+TEST_F(DamagedFiles, AHomeThatCannotBeBuiltLosesNoOther) {
   ASSERT_TRUE(write_file(folder_.at("void.json"), R"({"sceneName":"FloorPlan2","objects":[]})"));
   const auto ended =
       run_program({"scene", "import", "ithor", folder_.at("void.json"), sound(), "--out", folder_.at("out"), "--json"});

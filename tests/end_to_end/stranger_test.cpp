@@ -48,10 +48,10 @@ class Stranger : public ::testing::Test {
   std::string out(const std::string& name) const { return scratch_.at("a/b/c/" + name); }
 
   /// Each line of a file changed as JSON; then the checksums are made right again, as a forger would.
-  void change(const std::string& file, const std::function<void(Json&)>& spoil) const {
+  void change(const std::string& file, const std::function<void(Json&)>& damage) const {
     std::string text;
     for (Json& line : lines_of(file)) {
-      spoil(line);
+      damage(line);
       text += line.dump() + "\n";
     }
     put(file, text);

@@ -17,6 +17,8 @@ constexpr const char* kTiny =
 constexpr const char* kConfiguration = R"({
   "format": "unietp-run/1", "seed": 4, "homes": "benchmark", "block": 2,
   "quotas": {"splits": {"atomic": 4}, "simulators": {"ai2thor": 4}}})";
+constexpr const char* kTraining = R"({
+  "format": "unietp-run/1", "seed": 4, "block": 2, "quotas": {"splits": {"atomic": 3}, "simulators": {"habitat": 3}}})";
 
 void run_here(const fs::path& folder, const std::string& arguments) {
   const auto ended = run_script("unietp " + arguments, folder);
@@ -29,9 +31,16 @@ const fs::path& material() {
   static const bool kMade = [] {
     const fs::path& folder = kFolder.path();
     EXPECT_TRUE(write_file(folder / "small.json", kConfiguration));
+    EXPECT_TRUE(write_file(folder / "training.json", kTraining));
     run_here(folder, std::string("generate ") + kTiny + " --out data");
     for (const char* part : {"1", "2"})
       run_here(folder, std::string("benchmark --config small.json --shard ") + part + "/2 --out part-" + part);
+    for (const char* policy : {"replay", "stop"})
+      run_here(folder, std::string("evaluate data --policy ") + policy + " --out run-" + policy);
+    for (const auto& home : fs::directory_iterator(folder / "data" / "homes")) {
+      fs::copy_file(home.path(), folder / "home.scene.json.gz");
+      break;
+    }
     const auto tasks = json_lines(folder / "data" / "tasks.jsonl");
     Json reviews = Json::array();
     for (const auto& [i, verdict] : {std::pair{0, "accept"}, std::pair{1, "reject"}, std::pair{2, "edit"}}) {
@@ -54,6 +63,7 @@ std::vector<WritingCommand> writing_commands() {
   std::vector<WritingCommand> commands{
       {"generate", std::string("generate ") + kTiny + " --out out --resume", "out"},
       {"benchmark", "benchmark --config small.json --shard 1/2 --out out --resume", "out"},
+      {"training", "training --config training.json --out out --resume", "out"},
       {"merge", "merge part-1 part-2 --out out", "out"},
       {"annotate", "annotate data --seed 5 --paired", "data"},
       {"annotate elsewhere", "annotate data --seed 5 --out out", "out"},
@@ -62,6 +72,12 @@ std::vector<WritingCommand> writing_commands() {
       {"review page", "review data --view 32 --out out.html", "out.html"},
       {"report", "report data --examples 1 --out out.html", "out.html"},
       {"render", "render data habitat-00001 --out out.svg", "out.svg"},
+      {"render view", "render data habitat-00001 --step 1 --out out.png", "out.png"},
+      {"altered plans", "validate data --altered-plans out.jsonl", "out.jsonl"},
+      {"compare", "compare run-replay run-stop --out out", "out"},
+      {"scene show", "scene show home.scene.json.gz --out out.svg", "out.svg"},
+      {"scene export", "scene export habitat home.scene.json.gz --out out.json", "out.json"},
+      {"knowledge build", "knowledge build --out out", "out", true},
       {"scene make", "scene make --simulator habitat --count 2 --seed 3 --out out", "out", true},
       {"template new", "template new mine --like place-one-on --out out", "out", true},
   };

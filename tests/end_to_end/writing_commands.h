@@ -15,10 +15,11 @@ struct WritingCommand {
   bool in_parts = false;  // its folder gets files one by one, each whole
 };
 
-/// Every command that writes files, but those that need a server or the simulators' own files.
+/// Every command that writes files, but those that need a server or the simulators' own files, and `evaluate`, whose
+/// files tell how long things took (evaluate_test.cpp kills it).
 std::vector<WritingCommand> writing_commands();
 
-/// A folder with a data set, two shards, a configuration and a review, in which commands are run.
+/// A folder with a data set, two shards, configurations, a review and two evaluations, in which commands are run.
 class Workbench {
  public:
   Workbench();

@@ -11,10 +11,10 @@ using ::testing::HasSubstr;
 
 const AnswerFrame kPixels{BoxForm::Pixels, 500, 400};
 
-SaidAction by_id(const std::string& action, const std::string& id) { return {{action, {{id, std::nullopt}}}, {}}; }
-SaidAction by_box(const std::string& action, const PixelBox& box) { return {{action, {{"", box}}}, {}}; }
+AnsweredAction by_id(const std::string& action, const std::string& id) { return {{action, {{id, std::nullopt}}}, {}}; }
+AnsweredAction by_box(const std::string& action, const PixelBox& box) { return {{action, {{"", box}}}, {}}; }
 
-SaidAction only_action(const std::string& text, const AnswerFrame& frame = kPixels) {
+AnsweredAction only_action(const std::string& text, const AnswerFrame& frame = kPixels) {
   const auto answer = parse_answer(text, frame);
   EXPECT_TRUE(answer) << text << ": " << answer.error().message;
   if (!answer || answer->actions.size() != 1) return {};
@@ -22,7 +22,7 @@ SaidAction only_action(const std::string& text, const AnswerFrame& frame = kPixe
 }
 
 TEST(Answers, AreReadInEveryFormOfOneAction) {
-  const SaidAction pick = by_id("pick_up", "mug_1");
+  const AnsweredAction pick = by_id("pick_up", "mug_1");
   for (const char* text :
        {R"({"action": "pick_up", "args": ["mug_1"]})", R"({"action": "pick_up", "args": "mug_1"})",
         R"({"action": "pick up", "args": ["mug_1"]})",
@@ -41,7 +41,7 @@ TEST(Answers, MayLackArguments) {
   for (const char* text :
        {R"({"action": "stop", "args": []})", R"({"action": "stop"})", R"({"action": "stop", "args": null})",
         R"({"action_name": "done", "args": {}})", "stop", "done", "stop()"})
-    EXPECT_EQ(only_action(text), (SaidAction{{"stop", {}}, {}})) << text;
+    EXPECT_EQ(only_action(text), (AnsweredAction{{"stop", {}}, {}})) << text;
 }
 
 TEST(Answers, NameBoxesAndPointsInTheFormOfTheSettings) {
@@ -60,7 +60,7 @@ TEST(Answers, NameBoxesAndPointsInTheFormOfTheSettings) {
   EXPECT_EQ(
       only_action(R"({"action_name": "pick up", "args": {"object_bbox": {"bbox": [1, 2, 3, 4], "category": "mug"}}})"),
       by_box("pick_up", {1, 2, 3, 4}));
-  const SaidAction point{{"turn_to", {}}, PixelPoint{30, 20}};
+  const AnsweredAction point{{"turn_to", {}}, PixelPoint{30, 20}};
   EXPECT_EQ(only_action(R"({"action_name": "turn to point", "args": {"pixel": [30, 20]}})"), point);
   EXPECT_EQ(only_action(R"({"action": "turn_to", "args": [{"point": [30, 20]}]})"), point);
   EXPECT_EQ(only_action(R"({"action": "turn_to", "args": [{"point": [50, 60]}]})", {BoxForm::ThousandYFirst, 500, 400}),
@@ -78,7 +78,7 @@ TEST(Answers, NameTheActionsOfTheReleasedRunner) {
                                                         {"heat the object in hand with", "heat_with"},
                                                         {"soak the object in hand with", "soak_with"},
                                                         {"move hand forward", "move_hand_forward"}}) {
-    const SaidAction said = only_action(R"({"action_name": ")" + theirs + R"("})");
+    const AnsweredAction said = only_action(R"({"action_name": ")" + theirs + R"("})");
     EXPECT_EQ(said.command.action, ours);
     EXPECT_TRUE(action_named(ours)) << ours;
   }

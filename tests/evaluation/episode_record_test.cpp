@@ -57,20 +57,20 @@ void spoil_each_field(const Json& whole, const Json& part, const std::string& po
 }
 
 TEST(EpisodeRecord, RefusesMissingMistypedAndUnknownFields) {
-  int spoilt = 0;
+  int damaged = 0;
   const Json episode = Json::parse(episode_line(errored_episode()));
   spoil_each_field(episode, episode, "", [&](const Json& json, const std::string& place) {
     const auto read = read_episode("episodes.jsonl", 4, json.dump());
-    ++spoilt;
+    ++damaged;
     ASSERT_FALSE(read) << place;
     EXPECT_THAT(format(read.error()), HasSubstr("episodes.jsonl:4")) << place;
   });
   const Json timing = Json::parse(timing_line(sample_timing()));
   spoil_each_field(timing, timing, "", [&](const Json& json, const std::string& place) {
-    ++spoilt;
+    ++damaged;
     EXPECT_FALSE(read_timing("timing.jsonl", 4, json.dump())) << place;
   });
-  EXPECT_GT(spoilt, 100);
+  EXPECT_GT(damaged, 100);
 }
 
 TEST(EpisodeRecord, RefusesFieldsThatContradictEachOther) {

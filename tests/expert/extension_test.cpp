@@ -12,7 +12,8 @@ Knowledge wide_knowledge() {
   auto affordances = plain.affordances();
   for (const auto& [category, affordance] :
        {std::pair("Dresser", "sittable"), std::pair("Dresser", "lieable"), std::pair("Lamp", "pluggable"),
-        std::pair("Plate", "foldable"), std::pair("Plate", "readable"), std::pair("Mug", "breakable")}) {
+        std::pair("Plate", "foldable"), std::pair("Plate", "readable"), std::pair("Box", "foldable"),
+        std::pair("Mug", "breakable")}) {
     affordances.push_back({category, affordance, curated});
   }
   auto effects = plain.effects();
@@ -22,8 +23,9 @@ Knowledge wide_knowledge() {
 
 Profile wide_profile() {
   Profile profile = house_profile();
-  for (const auto type : {ActionType::SitOn, ActionType::LieOn, ActionType::StandUp, ActionType::PlugIn,
-                          ActionType::Unplug, ActionType::Fold, ActionType::Break, ActionType::Read}) {
+  for (const auto type :
+       {ActionType::SitOn, ActionType::LieOn, ActionType::StandUp, ActionType::PlugIn, ActionType::Unplug,
+        ActionType::Fold, ActionType::Unfold, ActionType::Break, ActionType::Read}) {
     profile.actions.set(static_cast<std::size_t>(type));
   }
   profile.attaching = profile.power_needs_plug = true;
@@ -44,6 +46,7 @@ const Case kCases[] = {
     {"plug_in", "(exists (?x - Lamp) (at-end (plugged_in ?x)))"},
     {"plug_in_to_switch_on", "(exists (?x - Lamp) (at-end (power_on ?x)))"},
     {"fold_and_put_away", "(exists (?x - Plate) (exists (?b - Fridge) (at-end (and (folded ?x) (inside ?x ?b)))))"},
+    {"unfold", "(exists (?x - Box) (at-end (unfolded ?x)))"},
     {"break", "(exists (?x - Mug) (at-end (broken ?x)))"},
     {"read", "(exists (?x - Plate) (at-end (read ?x)))"},
     {"read_and_put_away", "(exists (?x - Plate) (exists (?b - Fridge) (at-end (and (read ?x) (inside ?x ?b)))))"},
@@ -60,6 +63,7 @@ TEST_P(EveryExtensionAction, IsUsedWhereTheGoalNeedsIt) {
     Node& node = start.nodes.edit(i);
     if (node.category == "Lamp") node.states.set({Predicate::Unplugged, ""});
     if (node.category == "Plate") node.states.set({Predicate::Unfolded, ""});
+    if (node.category == "Box") node.states.set({Predicate::Folded, ""});
     if (node.category == "Mug") node.states.set({Predicate::Intact, ""});
   }
   const Formula formula = goal(GetParam().goal);

@@ -15,10 +15,10 @@ struct Reading : ::testing::Test {
   const Profile profile = house_profile();
   const Scene start = house();
 
-  std::vector<std::string> ways(const std::string& text, const Experience& experience = {}) const {
+  std::vector<std::string> ways(const std::string& text, const CostPenalties& experience = {}) const {
     const Formula formula = goal(text);
-    const auto rehearsal = Rehearsal::of(formula, start, knowledge, profile);
-    const Situation situation = look_around(*rehearsal, Mode::M1);
+    const auto executions = ExecutionTree::of(formula, start, knowledge, profile);
+    const Situation situation = look_around(*executions, Mode::M1);
     std::vector<std::string> texts;
     for (const Alternative& way : read_goal(formula, situation, experience)) texts.push_back(to_text(way, situation));
     return texts;
@@ -64,8 +64,8 @@ TEST_F(Reading, LeavesOutWhatUndoesATruthOfTheStart) {
 TEST_F(Reading, WaysToMeetTheRestShareWhatStandsAlready) {
   const Formula formula =
       goal("(exists (?x - Mug) (at-end (and (held ?x) (forall (?y - Plate) (forall (?z - Plate) (not (on ?y ?z)))))))");
-  const auto rehearsal = Rehearsal::of(formula, start, knowledge, profile);
-  const Situation situation = look_around(*rehearsal, Mode::M1);
+  const auto executions = ExecutionTree::of(formula, start, knowledge, profile);
+  const Situation situation = look_around(*executions, Mode::M1);
   const auto list = read_goal(formula, situation, {});
   ASSERT_GT(list.size(), 1U);
   ASSERT_NE(list.front().standing, nullptr);
@@ -89,10 +89,10 @@ TEST_F(Reading, ImaginesSlicesOfWhatCanBeCut) {
 
 TEST_F(Reading, WhatFailedComesLast) {
   const Formula formula = goal("(exists (?x - Mug) (at-end (held ?x)))");
-  const auto rehearsal = Rehearsal::of(formula, start, knowledge, profile);
-  const Situation situation = look_around(*rehearsal, Mode::M1);
+  const auto executions = ExecutionTree::of(formula, start, knowledge, profile);
+  const Situation situation = look_around(*executions, Mode::M1);
   const Literal first = read_goal(formula, situation, {}).front().end.front();
-  Experience experience;
+  CostPenalties experience;
   experience.literals.emplace_back(first, 100);
   EXPECT_EQ(read_goal(formula, situation, experience).back().end.front(), first);
 }

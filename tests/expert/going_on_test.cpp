@@ -17,11 +17,11 @@ struct GoingOn : ::testing::Test {
   const Knowledge knowledge = house_knowledge();
   const Profile profile = house_profile();
 
-  std::vector<Action> plan(const std::string& text, const Scene& start, const Beginning& beginning) const {
+  std::vector<Action> plan(const std::string& text, const Scene& start, const ExecutedPrefix& beginning) const {
     const Formula formula = goal(text);
-    auto rehearsal = Rehearsal::of(formula, start, knowledge, profile);
-    EXPECT_TRUE(rehearsal);
-    auto result = find_plan_from(*rehearsal, beginning, {});
+    auto executions = ExecutionTree::of(formula, start, knowledge, profile);
+    EXPECT_TRUE(executions);
+    auto result = find_plan_from(*executions, beginning, {});
     if (const auto* rejection = std::get_if<Rejection>(&result)) {
       ADD_FAILURE() << name_of(rejection->reason) << ": " << rejection->detail;
       return {};
@@ -81,7 +81,7 @@ TEST_F(GoingOn, TakesAnotherToolForOneThatWasNotComeTo) {
   scene.nodes.push_back(other);
   const Scene start = at_rest(std::move(scene));
   const std::string sliced = "(exists (?x - Apple) (at-end (sliced ?x)))";
-  const auto taken = [&](const Beginning& beginning) {
+  const auto taken = [&](const ExecutedPrefix& beginning) {
     std::string knife;
     for (const Action& action : plan(sliced, start, beginning)) {
       if (action.type == ActionType::PickUp && action.args.front().starts_with("knife")) knife = action.args.front();
@@ -91,7 +91,7 @@ TEST_F(GoingOn, TakesAnotherToolForOneThatWasNotComeTo) {
   const std::string first = taken({}), second = first == "knife_1" ? "knife_2" : "knife_1";
   EXPECT_EQ(taken({{}, {first}}), second);
   EXPECT_EQ(taken({{}, {second}}), first);
-  EXPECT_NE(taken({{}, {first, second}}), "") << "one that is shunned is better than none";
+  EXPECT_NE(taken({{}, {first, second}}), "") << "one that is avoided is better than none";
 }
 
 TEST_F(GoingOn, CutsInTheOpenWhereItIsAskedToClear) {
@@ -110,14 +110,14 @@ TEST_F(GoingOn, LooksAroundFromWhereItStands) {
   scene.agent.yaw = 0;
   const World world = *World::create(at_rest(std::move(scene)), knowledge, profile);
   const ModeEpisode episode(world, Mode::M3);
-  const auto way = way_to_see(episode, "dresser_1", Standing::Here);  // behind its back
+  const auto way = way_to_see(episode, "dresser_1", Viewpoint::Here);  // behind its back
   ASSERT_TRUE(way);
   EXPECT_FALSE(way->empty());
   for (const Action& step : *way) {
     EXPECT_THAT((std::vector{ActionType::TurnLeft, ActionType::TurnRight, ActionType::LookDown, ActionType::LookUp}),
                 Contains(step.type));
   }
-  EXPECT_FALSE(way_to_see(episode, "laptop_1", Standing::Here)) << "in the other room";
+  EXPECT_FALSE(way_to_see(episode, "laptop_1", Viewpoint::Here)) << "in the other room";
   EXPECT_TRUE(way_to_see(episode, "laptop_1"));
 }
 

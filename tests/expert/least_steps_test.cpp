@@ -18,11 +18,11 @@ struct LeastSteps : ::testing::Test {
   /// Of the way to the goal that asks for the fewest.
   std::size_t least(const std::string& text, const Scene& start) const {
     const Formula formula = goal(text);
-    auto rehearsal = Rehearsal::of(formula, start, knowledge, profile);
-    const Situation situation = look_around(*rehearsal, Mode::M1);
+    auto executions = ExecutionTree::of(formula, start, knowledge, profile);
+    const Situation situation = look_around(*executions, Mode::M1);
     std::size_t least = std::numeric_limits<std::size_t>::max();
     for (const Alternative& way : read_goal(formula, situation, {}))
-      least = std::min(least, least_steps(Attempt(*rehearsal, situation, way, {})));
+      least = std::min(least, least_steps(Attempt(*executions, situation, way, {})));
     return least;
   }
 };

@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include "optimum.h"
-#include "pddl/cast.h"
 #include "pddl/plan.h"
+#include "pddl/problem_objects.h"
 #include "symbolic/from_scene.h"
 #include "tests/expert/house.h"
 
@@ -61,7 +61,7 @@ TEST(Optimality, TheExpertsPlansAreOnAverageWithin15PercentOfTheShortest) {
       handled.insert(handled.end(), step.action.args.begin(), step.action.args.end());
     }
     const symbolic::SceneSymbols symbols(start, knowledge, ActionProfile::Unietp,
-                                         pddl::cast_of(start, knowledge, wanted, handled));
+                                         pddl::problem_objects(start, knowledge, wanted, handled));
     const auto written = symbols.goal(wanted);
     const auto problem = pddl::problem_for("small", Simulator::Ai2thor, symbols.setting, symbols.start, written);
     ASSERT_TRUE(problem) << format(problem.error());

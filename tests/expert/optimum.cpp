@@ -38,7 +38,7 @@ std::uint64_t digest(const Place& place) {
   return hash;
 }
 
-std::vector<ActionType> useful_actions(const Offer& offer) {
+std::vector<ActionType> useful_actions(const Capabilities& offer) {
   std::vector<ActionType> found;
   for (const auto& action : all_actions()) {
     const bool acts = action.group == ActionClass::Manipulation || action.group == ActionClass::Composite;
@@ -50,7 +50,7 @@ std::vector<ActionType> useful_actions(const Offer& offer) {
 }  // namespace
 
 Optimum optimum(const Setting& setting, const World& start, const Goal& goal, int bound, std::size_t most_worlds) {
-  const auto actions = useful_actions(setting.rules->offer());
+  const auto actions = useful_actions(setting.rules->capabilities());
   std::vector<std::vector<Place>> by_length(static_cast<std::size_t>(bound) + 1);
   std::unordered_map<std::uint64_t, int> seen;
   Place first{start, Progress(goal)};

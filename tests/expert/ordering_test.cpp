@@ -24,8 +24,8 @@ struct Ordering : ::testing::Test {
   /// The order in which an expert with these preferences takes up literals that nothing makes true meanwhile.
   std::vector<std::string> order(const std::vector<std::vector<std::string>>& literals,
                                  const OrderPreferences& preferences = {}) {
-    auto rehearsal = Rehearsal::of(formula, start, knowledge, profile);
-    const Situation situation = look_around(*rehearsal, Mode::M1);
+    auto executions = ExecutionTree::of(formula, start, knowledge, profile);
+    const Situation situation = look_around(*executions, Mode::M1);
     Alternative alternative;
     std::vector<Literal> open;
     for (const auto& words : literals) {
@@ -39,7 +39,7 @@ struct Ordering : ::testing::Test {
     }
     std::sort(open.begin(), open.end());
     alternative.end = open;
-    const Attempt attempt(*rehearsal, situation, alternative, {});
+    const Attempt attempt(*executions, situation, alternative, {});
     std::vector<std::string> taken;
     while (const auto next = next_literal(attempt, open, preferences)) {
       taken.push_back(to_text(*next, situation));

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "expert/footing.h"
+#include "expert/repositioning.h"
 #include "tests/expert/house.h"
 
 // Where things go when the nearest way does not lead there.
@@ -74,7 +74,7 @@ TEST_F(Placing, WalksAlongATableToWhereThereIsRoom) {
     ASSERT_TRUE(world->step({type, {id}}).success);
   const Action put{ActionType::PlaceOn, {"diningtable_1"}};
   EXPECT_FALSE(World(*world).step(put).success) << "at the other end";
-  const auto way = way_to_do(*world, put, "diningtable_1", {});
+  const auto way = steps_to_act(*world, put, "diningtable_1", {});
   ASSERT_TRUE(way);
   for (const Action& step : *way) EXPECT_TRUE(world->step(step).success) << to_text(step);
   EXPECT_TRUE(world->step(put).success);
@@ -284,7 +284,7 @@ TEST_F(Placing, NothingIsFoundWhereNoSpotIsFree) {
   ASSERT_TRUE(world->step({ActionType::PickUp, {"mug_3"}}).success);
   EXPECT_FALSE(world->free_spots("sidetable_2", false).empty());
   EXPECT_TRUE(world->free_spots("sidetable_1", false).empty());
-  EXPECT_FALSE(way_to_do(*world, {ActionType::PlaceOn, {"sidetable_1"}}, "sidetable_1", {}));
+  EXPECT_FALSE(steps_to_act(*world, {ActionType::PlaceOn, {"sidetable_1"}}, "sidetable_1", {}));
 }
 
 }  // namespace

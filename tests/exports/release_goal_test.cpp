@@ -132,6 +132,9 @@ TEST(ReleaseGoal, SaysWhyItCannotBeSaid) {
   EXPECT_THAT(why("(at-end (exists (?m - Mug) (frozen ?m)))"), HasSubstr("has no `frozen`"));
   EXPECT_THAT(why("(at-end (exists (?m - object) (hot ?m)))"), HasSubstr("all nodes"));
   EXPECT_THAT(why("(forall (?m - (Mug :where (dirty ?m))) (at-end (hot ?m)))"), HasSubstr("together with a reference"));
+  EXPECT_THAT(why("(exists (?m - (Mug :where (dirty ?m))) (at-end (and (hot ?m) (count > (number (?a - Mug) (hot ?a)) "
+                  "(number (?p - Plate) (hot ?p))))))"),
+              HasSubstr("together with a reference"));
 }
 
 TEST(ReleaseGoal, WhatIsMeantIsNamed) {

@@ -11,7 +11,7 @@
 #include "data_set.h"
 #include "program.h"
 #include "resources/resources.h"
-#include "validator/made_once.h"
+#include "validator/lazy_values.h"
 
 namespace unietp {
 namespace {
@@ -32,7 +32,7 @@ ValidationOptions options_of_validation(ProofMemory& memory) {
   auto options = full_validation(library(), folders.licences(), folders.runs());
   EXPECT_TRUE(options) << format(options.error());
   options->memory = &memory;
-  options->make_home = [make = options->make_home, homes = std::make_shared<MadeOnce<Result<Scene>>>()](
+  options->make_home = [make = options->make_home, homes = std::make_shared<LazyValues<Result<Scene>>>()](
                            const ManifestRecord& manifest, const std::string& name) {
     return *homes->get(manifest.run.text + name, [&] { return make(manifest, name); });
   };

@@ -14,7 +14,7 @@ namespace {
 /// The answer as JSON, its boxes in pixels.
 std::string said_again(const Answer& answer) {
   auto actions = nlohmann::ordered_json::array();
-  for (const SaidAction& one : answer.actions) {
+  for (const AnsweredAction& one : answer.actions) {
     auto action = command_to_json(one.command);
     if (one.point) action["args"].push_back({{"point", {one.point->x, one.point->y}}});
     actions.push_back(std::move(action));
@@ -31,7 +31,7 @@ bool said_body(std::string_view text) {
     sound = check_result(answer);
     if (!sound) continue;
     require(!answer->actions.empty() && answer->actions.size() <= limits::kAgentActions);
-    for (const SaidAction& one : answer->actions)
+    for (const AnsweredAction& one : answer->actions)
       require(!one.command.action.empty() && one.command.args.size() + (one.point ? 1 : 0) <= 1);
     const auto again = parse_answer(said_again(*answer), {BoxForm::Pixels, 500, 400});
     require(again && *again == *answer);

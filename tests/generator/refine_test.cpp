@@ -148,6 +148,20 @@ TEST(RefineReferring, AColourLeavesNothingThatCouldBeTakenForIt) {
   }
 }
 
+TEST(RefineReferring, ARoomIsReferredByOnlyIfTheStartHasOneOfItsType) {
+  const auto knowledge = small_home(Simulator::Ai2thor);
+  const auto plain = made("place-one-on", {{"A", "Mug"}, {"B", "Table"}});
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    const auto refined = refine_referring(plain, knowledge, small_offer(), "by-room", Rng(seed));
+    ASSERT_TRUE(refined);
+    const auto& room = referring(refined->goal)->domain.where.front().domain;
+    EXPECT_TRUE(std::any_of(refined->init.begin(), refined->init.end(), [&](const Formula& start) {
+      return start.op == Formula::Op::Count && start.comparison == Comparison::Equal && start.number == 1 &&
+             start.domain == room;
+    })) << to_text(refined->goal);
+  }
+}
+
 TEST(RefineReferring, WhatCannotBeMovedIsReferredToOnlyAsTheHomeHasIt) {
   const auto knowledge = small_home(Simulator::Ai2thor);
   const auto plain = made("open-one", {{"A", "Fridge"}});

@@ -88,6 +88,21 @@ TEST_F(CheckGoal, ASurfaceThatNoArmGetsToTakesNothing) {
   EXPECT_NE(refused(kMugOnCounter), "");
 }
 
+TEST_F(CheckGoal, ANumberAsksForAsManyAsItSays) {
+  const auto inside = [](const std::string& number) {
+    return "(exists (?b - Microwave) (at-end (count " + number + " (?a - Mug) (inside ?a ?b))))";
+  };
+  add("microwave_1", "Microwave", Archetype::Cabinet, {0.5, 0.36, 0.3}, {2.3, 3.65, 1.052});
+  EXPECT_EQ(refused(inside("= 1")), "");
+  EXPECT_EQ(refused(inside("> 0")), "");
+  scene_.nodes.edit(1).size = {0.45, 0.45, 0.45};
+  EXPECT_NE(refused(inside("= 1")), "");
+  EXPECT_NE(refused(inside(">= 1")), "");
+  EXPECT_NE(refused(inside("> 0")), "");
+  EXPECT_EQ(refused(inside("= 0")), "") << "nothing has to go in";
+  EXPECT_EQ(refused(inside("<= 1")), "");
+}
+
 TEST_F(CheckGoal, AThingHasToFitIntoWhatItGoesInto) {
   const std::string goal = "(exists (?a - Mug) (exists (?b - Microwave) (at-end (inside ?a ?b))))";
   add("microwave_1", "Microwave", Archetype::Cabinet, {0.5, 0.36, 0.3}, {2.3, 3.65, 1.052});

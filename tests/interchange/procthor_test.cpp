@@ -1,13 +1,17 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <numbers>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "core/files.h"
+#include "core/text.h"
 #include "import_rates.h"
 #include "interchange/formats.h"
+#include "small_home.h"
 #include "tests/support/needs.h"
 
 namespace unietp::testing {
@@ -80,6 +84,30 @@ TEST(Procthor, AnAxisAndAnAngleTurnTheSameWayAsEulerAngles) {
   EXPECT_LT((quarter * -Vec3::UnitY() - Vec3::UnitX()).norm(), 1e-6);
 }
 
+TEST(Procthor, WallsAreAsHighAsTheHouseSaysAndAnAgentLooksAheadUnlessItSaysOtherwise) {
+  const auto read = [](const std::string& walls, const std::string& agent) {
+    auto houses = read_procthor(
+        "house",
+        R"({"rooms": [{"id": "room|1", "roomType": "Kitchen", "floorPolygon": [{"x": 0, "y": 0, "z": 0}, )"
+        R"({"x": 4, "y": 0, "z": 0}, {"x": 4, "y": 0, "z": 4}, {"x": 0, "y": 0, "z": 4}]}], "walls": [)" +
+            walls + R"(], "objects": [], "metadata": {"agent": {"position": {"x": 1, "y": 0.9, "z": 2})" + agent +
+            "}}}",
+        committed_knowledge(Simulator::Ai2thor));
+    EXPECT_TRUE(houses) << format(houses.error());
+    return houses->front();
+  };
+  const std::string wall =
+      R"({"id": "wall|1", "roomId": "room|1", "polygon": [{"x": 0, "y": 0, "z": 0}, {"x": 4, "y": 0, "z": 0}, )"
+      R"({"x": 4, "y": 3.25, "z": 0}, {"x": 0, "y": 3.25, "z": 0}]})";
+  const auto high = read(wall, R"(, "rotation": {"x": 0, "y": 90, "z": 0}, "horizon": 30)");
+  EXPECT_NEAR(high.wall_height, 3.25, 1e-9);
+  EXPECT_NEAR(high.agent.pitch, -std::numbers::pi / 6, 1e-6);
+  const auto usual = read("", "");
+  EXPECT_NEAR(usual.wall_height, SourceScene().wall_height, 1e-9);
+  const auto turned = read("", R"(, "rotation": {"x": 0, "y": 0, "z": 0})");
+  EXPECT_NEAR(usual.agent.yaw, turned.agent.yaw, 1e-9);
+}
+
 /// Nodes of one scene that the other has no equal of: same category, middle within 2 cm, extents within 1 cm.
 std::vector<std::string> without_equal(const Scene& scene, const Scene& other, const std::vector<std::string>& except) {
   std::vector<std::string> missing;
@@ -120,6 +148,30 @@ void expect_same_plan(const Scene& a, const Scene& b) {
   EXPECT_LT((a.agent.position - b.agent.position).norm(), 0.001);
   EXPECT_NEAR(std::cos(a.agent.yaw - b.agent.yaw), 1, 1e-6);
   EXPECT_NEAR(a.agent.pitch, b.agent.pitch, 1e-4);
+}
+
+TEST(Procthor, AWallIsNamedByItsRoomAndItsEndsInTwoDecimals) {
+  const Knowledge& knowledge = committed_knowledge(Simulator::Ai2thor);
+  const auto written = write_procthor(small_home(knowledge, 1), knowledge, format_facts());
+  ASSERT_TRUE(written) << format(written.error());
+  const auto house = nlohmann::json::parse(written->text);
+  ASSERT_GE(house["walls"].size(), 8U);
+  for (const auto& wall : house["walls"]) {
+    const auto parts = split(wall["id"].get<std::string>(), '|');
+    ASSERT_EQ(parts.size(), 6U) << wall["id"];
+    double x[] = {1e9, -1e9}, z[] = {1e9, -1e9};
+    for (const auto& corner : wall["polygon"]) {
+      x[0] = std::min(x[0], corner["x"].get<double>());
+      x[1] = std::max(x[1], corner["x"].get<double>());
+      z[0] = std::min(z[0], corner["z"].get<double>());
+      z[1] = std::max(z[1], corner["z"].get<double>());
+    }
+    EXPECT_NEAR(std::stod(parts[2]), x[0], 0.006) << wall["id"];
+    EXPECT_NEAR(std::stod(parts[3]), z[0], 0.006) << wall["id"];
+    EXPECT_NEAR(std::stod(parts[4]), x[1], 0.006) << wall["id"];
+    EXPECT_NEAR(std::stod(parts[5]), z[1], 0.006) << wall["id"];
+    EXPECT_EQ(wall["id"].get<std::string>().find("-0.00"), std::string::npos) << wall["id"];
+  }
 }
 
 TEST(Procthor, AHouseThatIsWrittenAndReadIsTheSameHome) {

@@ -97,7 +97,7 @@ TEST_F(LlmCacheTest, KeepsNoFailure) {
   EXPECT_TRUE(ask_all(endpoint_of(server), {question(0)}, quick(), &kept)[0]);
 }
 
-TEST_F(LlmCacheTest, AnAnswerThatWasSpoiltInTheFileIsAskedAgain) {
+TEST_F(LlmCacheTest, AnAnswerThatWasDamagedInTheFileIsAskedAgain) {
   ChatServer server(answer_to);
   auto kept = cache();
   kept.store(digest_of(endpoint_of(server), question(0)), "tiny", {"no object", 1, 1, 1, false});

@@ -27,6 +27,10 @@ TEST(JsonObject, IsTakenOutOfAText) {
   EXPECT_EQ(*json_object_in("As {you} said: {\"a\": {}} and {\"b\": 2}"), "{\"a\": {}}");
   EXPECT_EQ(*json_object_in("<think>{\"a\": 1}</think>{\"a\": 2}"), "{\"a\": 2}");
   EXPECT_EQ(*json_object_in("<think>{\"a\": 1}</think> as I thought"), "{\"a\": 1}");
+  std::string brackets = "I mean ";
+  for (int i = 0; i < 63; ++i) brackets += "{x} ";
+  EXPECT_EQ(*json_object_in(brackets + "{\"a\": 1}"), "{\"a\": 1}") << "the last of 64 brackets that are tried";
+  EXPECT_FALSE(json_object_in(brackets + "{x} {\"a\": 1}"));
 }
 
 TEST(JsonObject, IsMissedWhereThereIsNone) {

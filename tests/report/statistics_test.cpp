@@ -262,6 +262,28 @@ TEST(Charts, EachHasATableAndAsManyValuesAsLabels) {
   }
 }
 
+TEST(Charts, TheFunnelStacksWhatBecameOfEachTemplatesCandidates) {
+  auto set = small("a");
+  set.funnel = {{"close-one", 1, {{"expert: action-failed", 2}, {"grounding: no-layout", 5}}},
+                {"open-one", 2, {{"expert: no-plan", 3}}},
+                {"place-one", 4, {}}};
+  bool found = false;
+  for (const auto& section : chart_sections(set)) {
+    for (const auto& chart : section.charts) {
+      if (chart.id != "funnel") continue;
+      found = true;
+      EXPECT_TRUE(chart.stacked && chart.horizontal && chart.wide);
+      EXPECT_THAT(chart.labels, ElementsAre("close-one", "open-one"));
+      ASSERT_EQ(chart.series.size(), 3U);
+      EXPECT_THAT(chart.series[0].values, ElementsAre(1, 2));
+      EXPECT_EQ(chart.series[1].name, "rejected by the expert");
+      EXPECT_THAT(chart.series[1].values, ElementsAre(2, 3));
+      EXPECT_THAT(chart.series[2].values, ElementsAre(5, 0));
+    }
+  }
+  EXPECT_TRUE(found);
+}
+
 TEST(Charts, BinsAreWideEnoughForAllValues) {
   auto set = small("a");
   set.objects = of({3, 250});

@@ -119,10 +119,15 @@ class Table {
     rows.push_back({action, failure, target, std::move(before), std::move(alter), nullptr});
   }
   /// What every action by hand on an object needs: not shut in, in reach, in sight.
-  void by_hand(ActionType action, const char* target, const std::vector<Action>& before) {
-    bad(action, F::InsideClosed, target, before, shut_in(target));
-    bad(action, F::TooFar, target, before, far_from(target));
-    bad(action, F::NotVisible, target, before, screened(target));
+  void by_hand(ActionType action, const char* target, const std::vector<Action>& before, const Alter& first = nullptr) {
+    for (const auto& [failure, alter] : {std::pair<F, Alter>{F::InsideClosed, shut_in(target)},
+                                         {F::TooFar, far_from(target)},
+                                         {F::NotVisible, screened(target)}}) {
+      bad(action, failure, target, before, [first, alter = alter](Scene& scene) {
+        if (first) first(scene);
+        alter(scene);
+      });
+    }
   }
 };
 
@@ -333,6 +338,17 @@ void extension(Table& t) {
   t.bad(Fold, F::HandsFull, "towel_1", with("potato_1", "towel_1"));
   t.by_hand(Fold, "towel_1", at_towel);
   t.bad(Fold, F::Blocked, "towel_1", at_towel, [](Scene& scene) {
+    node(scene, "bulb_1").pose.position = node(scene, "towel_1").pose.position + Vec3(0, 0, 0.046);
+  });
+
+  const auto folded = state("towel_1", Predicate::Folded);
+  t.good(Unfold, "towel_1", at_towel, is("towel_1", Predicate::Unfolded), folded);
+  t.bad(Unfold, F::NotFoldable, "mug_1", at_mug);
+  t.bad(Unfold, F::AlreadyUnfolded, "towel_1", at_towel);
+  t.bad(Unfold, F::HandsFull, "towel_1", with("potato_1", "towel_1"), folded);
+  t.by_hand(Unfold, "towel_1", at_towel, folded);
+  t.bad(Unfold, F::Blocked, "towel_1", at_towel, [folded](Scene& scene) {
+    folded(scene);
     node(scene, "bulb_1").pose.position = node(scene, "towel_1").pose.position + Vec3(0, 0, 0.046);
   });
 

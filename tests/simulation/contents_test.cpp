@@ -7,49 +7,20 @@
 #include "simulation/feedback.h"
 #include "simulation/world.h"
 #include "tests/simulation/kitchen.h"
+#include "tests/simulation/kitchen_test.h"
 
 namespace unietp {
 namespace {
 
-class Acting : public ::testing::Test {
+class Acting : public testing::KitchenTest {
  protected:
-  explicit Acting(Simulator simulator) : knowledge_(testing::kitchen_knowledge(simulator)), simulator_(simulator) {
-    profile_ = testing::kitchen_profile(simulator);
-  }
-  World start(Scene scene) {
-    auto world = World::create(std::move(scene), knowledge_, profile_);
-    EXPECT_TRUE(world);
-    return std::move(*world);
-  }
-  World start() { return start(testing::full_kitchen(simulator_)); }
-  void expect(World& world, ActionType type, const std::string& id = "") {
-    const ActionResult outcome = world.step(action(type, id));
-    EXPECT_TRUE(outcome.success) << to_text(action(type, id)) << ": " << name_of(outcome.failure) << ": "
-                                 << feedback_with_ids(outcome.detail);
-  }
-  /// A failure names its kind, says something, and changes nothing.
-  void expect_failure(World& world, ActionType type, const std::string& id, Failure failure) {
-    const Scene before = world.scene();
-    const ActionResult outcome = world.step(action(type, id));
-    EXPECT_FALSE(outcome.success) << to_text(action(type, id));
-    EXPECT_EQ(outcome.failure, failure) << name_of(outcome.failure) << ": " << feedback_with_ids(outcome.detail);
-    EXPECT_NE(outcome.detail.cause, FailureCause::None);
-    EXPECT_TRUE(world.scene() == before);
-  }
+  explicit Acting(Simulator simulator)
+      : KitchenTest(testing::kitchen_knowledge(simulator), testing::kitchen_profile(simulator),
+                    testing::full_kitchen(simulator)) {}
   void take(World& world, const std::string& id) {
     expect(world, ActionType::GoTo, id);
     expect(world, ActionType::PickUp, id);
   }
-  static Action action(ActionType type, const std::string& id) {
-    return {type, id.empty() ? std::vector<std::string>{} : std::vector<std::string>{id}};
-  }
-  static bool is(const World& world, const char* id, Predicate predicate, const char* symbol = "") {
-    return find_node(world.scene(), id)->states.has(State{predicate, symbol});
-  }
-
-  Knowledge knowledge_;
-  Profile profile_;
-  Simulator simulator_;
 };
 
 class InAi2thor : public Acting {
@@ -193,7 +164,7 @@ TEST_F(InAi2thor, WineIsPouredIntoAnEmptyMugAndWaterDownTheDrain) {
 }
 
 TEST_F(InAi2thor, AFullMugTakesNoMore) {
-  Scene scene = testing::full_kitchen(simulator_);
+  Scene scene = scene_;
   edit_node(scene, "mug_1")->states.set({Predicate::Filled, "water"});
   World world = start(scene);
   take(world, "winebottle_1");
@@ -243,7 +214,7 @@ TEST_F(InBehavior, AFlameBurnsWhatIsHeldToIt) {
 }
 
 TEST_F(InBehavior, AStainWantsAWetTowelAndDustADryOne) {
-  Scene scene = testing::full_kitchen(simulator_);
+  Scene scene = scene_;
   edit_node(scene, "plate_1")->states.set({Predicate::Dirty, ""});
   edit_node(scene, "plate_1")->states.set({Predicate::Covered, "dust"});
   World world = start(scene);
@@ -263,7 +234,7 @@ TEST_F(InBehavior, AStainWantsAWetTowelAndDustADryOne) {
 }
 
 TEST_F(InBehavior, DustAloneComesOffDry) {
-  Scene scene = testing::full_kitchen(simulator_);
+  Scene scene = scene_;
   edit_node(scene, "plate_1")->states.set({Predicate::Covered, "dust"});
   World world = start(scene);
   take(world, "towel_1");

@@ -4,43 +4,16 @@
 #include "simulation/feedback.h"
 #include "simulation/world.h"
 #include "tests/simulation/kitchen.h"
+#include "tests/simulation/kitchen_test.h"
 
 namespace unietp {
 namespace {
 
-class Wide : public ::testing::Test {
+class Wide : public testing::KitchenTest {
  protected:
   explicit Wide(Simulator simulator)
-      : knowledge_(testing::kitchen_knowledge(simulator)),
-        profile_(testing::kitchen_profile(simulator, ActionProfile::Wide)),
-        scene_(testing::wide_kitchen(simulator)) {}
-  World start() {
-    auto world = World::create(scene_, knowledge_, profile_);
-    EXPECT_TRUE(world);
-    return std::move(*world);
-  }
-  void expect(World& world, ActionType type, const std::string& id = "") {
-    const ActionResult outcome = world.step(action(type, id));
-    EXPECT_TRUE(outcome.success) << to_text(action(type, id)) << ": " << feedback_with_ids(outcome.detail);
-  }
-  void expect_failure(World& world, ActionType type, const std::string& id, Failure failure) {
-    const Scene before = world.scene();
-    const ActionResult outcome = world.step(action(type, id));
-    EXPECT_FALSE(outcome.success) << to_text(action(type, id));
-    EXPECT_EQ(name_of(outcome.failure), name_of(failure)) << feedback_with_ids(outcome.detail);
-    EXPECT_NE(outcome.detail.cause, FailureCause::None);
-    EXPECT_TRUE(world.scene() == before);
-  }
-  static Action action(ActionType type, const std::string& id) {
-    return {type, id.empty() ? std::vector<std::string>{} : std::vector<std::string>{id}};
-  }
-  static bool is(const World& world, const char* id, Predicate predicate) {
-    return find_node(world.scene(), id)->states.has(predicate);
-  }
-
-  Knowledge knowledge_;
-  Profile profile_;
-  Scene scene_;
+      : KitchenTest(testing::kitchen_knowledge(simulator), testing::kitchen_profile(simulator, ActionProfile::Wide),
+                    testing::wide_kitchen(simulator)) {}
 };
 
 class WideVirtualhome : public Wide {

@@ -169,6 +169,29 @@ TEST_P(PredicatePairs, WhatIsSetReadsTrueAndItsReverseDoesNot) {
   }
 }
 
+/// Beside one another means at one height: a box over or under another's side is not next to it.
+TEST(NextTo, AsksForOverlappingHeights) {
+  const auto beside_at = [](double z) {
+    Scene scene;
+    scene.rooms = {{"kitchen_1", "kitchen", {{0, 0}, {4, 0}, {4, 4}, {0, 4}}}};
+    for (const auto& [id, position] : {std::pair("box_1", Vec3(1, 1, 0.1)), std::pair("box_2", Vec3(1.3, 1, z))}) {
+      Node box;
+      box.id = id;
+      box.category = "Box";
+      box.movable = true;
+      box.size = {0.2, 0.2, 0.2};
+      box.pose.position = position;
+      scene.nodes.push_back(box);
+    }
+    const auto links = links_of(scene, physics_of(scene), 0);
+    return std::any_of(links.begin(), links.end(), [](const Link& link) { return link.relation == Predicate::NextTo; });
+  };
+  EXPECT_TRUE(beside_at(0.1));
+  EXPECT_TRUE(beside_at(0.25));
+  EXPECT_FALSE(beside_at(0.35));
+  EXPECT_FALSE(beside_at(1.5));
+}
+
 INSTANTIATE_TEST_SUITE_P(All, PredicatePairs, ::testing::ValuesIn(kSimulators),
                          [](const auto& simulator) { return std::string(name_of(simulator.param)); });
 

@@ -1,5 +1,7 @@
 #include "simulation/shape.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "core/rng.h"
@@ -63,6 +65,32 @@ TEST(MakeShape, LeavesCavitiesFreeOfSolidsExceptShelves) {
   const Part hollow{Part::Kind::Box, {cavity.centre, Quat::Identity()}, 2 * cavity.half, -1};
   for (const Part& part : fridge.parts) EXPECT_FALSE(overlap_by(part, hollow, 1e-9));
   EXPECT_GT(8 * cavity.half.prod(), 0.7 * 0.7 * 0.65 * 0.4);
+}
+
+/// What has a hollow is closed on all four sides, and its hollow and floor lie between the walls.
+TEST(MakeShape, AHollowHasAWallOnEachSide) {
+  const Vec3 size(0.4, 0.3, 0.2);
+  for (const Archetype archetype : {Archetype::Basin, Archetype::Vessel, Archetype::Lidded}) {
+    SCOPED_TRACE(std::string(name_of(archetype)));
+    const Shape shape = make_shape(archetype, size, archetype == Archetype::Lidded);
+    ASSERT_EQ(shape.cavities.size(), 1u);
+    const Cavity& cavity = shape.cavities.front();
+    const double height = cavity.centre.z();
+    for (const Vec3& side :
+         {Vec3(0.199, 0, height), Vec3(-0.199, 0, height), Vec3(0, 0.149, height), Vec3(0, -0.149, height)}) {
+      EXPECT_TRUE(std::any_of(shape.parts.begin(), shape.parts.end(), [&](const Part& part) {
+        const Bounds bounds = bounds_of(part.pose, part.size);
+        return (bounds.high - side).minCoeff() >= 0 && (side - bounds.low).minCoeff() >= 0;
+      })) << side.transpose();
+    }
+    EXPECT_LT((cavity.centre.cwiseAbs() + cavity.half - size / 2).head<2>().maxCoeff(), 0);
+    const Part hollow{Part::Kind::Box, {cavity.centre, Quat::Identity()}, 2 * cavity.half, -1};
+    for (const Part& part : shape.parts) EXPECT_FALSE(overlap_by(part, hollow, 1e-9));
+    const auto floor = std::find_if(shape.surfaces.begin(), shape.surfaces.end(),
+                                    [](const Surface& surface) { return surface.cavity == 0; });
+    ASSERT_NE(floor, shape.surfaces.end());
+    EXPECT_LE((floor->half - cavity.half.head<2>()).maxCoeff(), 0);
+  }
 }
 
 TEST(MakeShape, ADoorSwingsOutInFrontAndAnOpenDrawerSlidesOut) {

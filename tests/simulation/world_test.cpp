@@ -5,6 +5,7 @@
 
 #include "simulation/relations.h"
 #include "tests/simulation/kitchen.h"
+#include "tests/simulation/kitchen_test.h"
 
 namespace unietp {
 namespace {
@@ -14,39 +15,12 @@ using testing::kitchen;
 using testing::kitchen_knowledge;
 using testing::kitchen_profile;
 
-class InTheKitchen : public ::testing::Test {
+class InTheKitchen : public testing::KitchenTest {
  protected:
-  World start(Scene scene = kitchen()) {
-    auto world = World::create(std::move(scene), knowledge_, profile_);
-    EXPECT_TRUE(world);
-    return std::move(*world);
-  }
-  void expect(World& world, ActionType type, const std::string& id = "") {
-    const ActionResult outcome = world.step(action(type, id));
-    EXPECT_TRUE(outcome.success) << to_text(action(type, id)) << ": " << name_of(outcome.failure) << ": "
-                                 << feedback_with_ids(outcome.detail);
-  }
-  /// A failure names its kind, says something, and changes nothing.
-  void expect_failure(World& world, ActionType type, const std::string& id, Failure failure) {
-    const Scene before = world.scene();
-    const ActionResult outcome = world.step(action(type, id));
-    EXPECT_FALSE(outcome.success) << to_text(action(type, id));
-    EXPECT_EQ(outcome.failure, failure) << name_of(outcome.failure) << ": " << feedback_with_ids(outcome.detail);
-    EXPECT_NE(outcome.detail.cause, FailureCause::None);
-    EXPECT_TRUE(world.scene() == before);
-  }
-  static Action action(ActionType type, const std::string& id) {
-    return {type, id.empty() ? std::vector<std::string>{} : std::vector<std::string>{id}};
-  }
+  InTheKitchen() : KitchenTest(kitchen_knowledge(), kitchen_profile(), kitchen()) {}
   bool related(const World& world, Predicate relation, const char* a, const char* b) {
     return has_edge(world.scene(), relation, a, b);
   }
-  bool is(const World& world, const char* id, Predicate predicate) {
-    return find_node(world.scene(), id)->states.has(predicate);
-  }
-
-  Knowledge knowledge_ = kitchen_knowledge();
-  Profile profile_ = kitchen_profile();
 };
 
 TEST_F(InTheKitchen, AMugIsCarriedIntoTheFridge) {

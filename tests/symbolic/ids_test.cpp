@@ -64,13 +64,13 @@ struct Mugs {
   World world;
 
   explicit Mugs(std::size_t count, Simulator simulator = Simulator::Ai2thor, const std::string& category = "Mug")
-      : rules(committed_knowledge(simulator), offer_of(simulator), {category}) {
+      : rules(committed_knowledge(simulator), capabilities_of(simulator), {category}) {
     setting.rules = &rules;
-    setting.cast.rooms = {{"kitchen_1", "Kitchen"}, {"hall_1", "Hall"}};
+    setting.objects.rooms = {{"kitchen_1", "Kitchen"}, {"hall_1", "Hall"}};
     for (std::size_t i = 0; i < count; ++i) {
-      Role role;
+      ObjectEntry role;
       role.id = category + "_" + std::to_string(i);
-      setting.cast.things.push_back(role);
+      setting.objects.things.push_back(role);
       Thing thing;
       thing.at = Id::room(0);
       world.things.push_back(thing);
@@ -95,7 +95,7 @@ struct Mugs {
 TEST(ManyThings, TheLastOfFiveThousandIsAThingAndNoRoom) {
   Mugs home(5000);
   const Id last = Id::thing(4999), other = Id::thing(4096);
-  home.world[last].where = Where::On;
+  home.world[last].where = PlaceKind::On;
   home.world[last].at = other;
   EXPECT_EQ(room_of(home.world, last), Id::room(0));
   EXPECT_TRUE(holds(home.setting, home.world, Predicate::On, last, other, kAnySymbol));

@@ -166,9 +166,9 @@ class Trial {
     for (std::size_t i = 0; i < scene.start.things.size(); ++i) {
       const auto& thing = scene.start.things[i];
       if (!thing.exists) continue;
-      text += " " + scene.setting.cast.things[i].id;
-      if (thing.where == symbolic::Where::On) text += " on " + name_of(scene.setting, thing.at);
-      if (thing.where == symbolic::Where::Inside) text += " in " + name_of(scene.setting, thing.at);
+      text += " " + scene.setting.objects.things[i].id;
+      if (thing.where == symbolic::PlaceKind::On) text += " on " + name_of(scene.setting, thing.at);
+      if (thing.where == symbolic::PlaceKind::Inside) text += " in " + name_of(scene.setting, thing.at);
       for (const auto& predicate : all_predicates()) {
         if (thing.has(predicate.predicate)) text += " " + std::string(predicate.name);
       }

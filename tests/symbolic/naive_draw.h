@@ -15,7 +15,7 @@ inline constexpr std::array kOtherRooms = {"hall", "attic"};  // that no specifi
 class NaiveDraw {
   using Id = symbolic::Id;
   using Goal = symbolic::Goal;
-  using Where = symbolic::Where;
+  using PlaceKind = symbolic::PlaceKind;
   using KindId = symbolic::KindId;
   static constexpr Id kNobody = symbolic::kNobody;
   static constexpr int kRepairs = 1500;
@@ -25,7 +25,7 @@ class NaiveDraw {
     auto& setting = scene_.setting;
     setting.rules = &scenes.rules_;
     setting.with_nearest = scenes.with_nearest_;
-    for (const auto& type : scenes.room_types_) setting.cast.rooms.push_back({type + "_1", type});
+    for (const auto& type : scenes.room_types_) setting.objects.rooms.push_back({type + "_1", type});
     for (std::size_t k = 0; k < scenes.categories_.size(); ++k) {
       const bool movable = scenes.rules_.kind(KindId(k)).movable;
       const int least = std::max(scenes.demanded_[k], 1);
@@ -36,7 +36,7 @@ class NaiveDraw {
     furnish_rooms();
     for (std::size_t i = 0; i < scene_.start.things.size(); ++i) move(Id::thing(i));
     for (const auto& [id, room] : for_rooms_) {
-      scene_.start[id].where = Where::Floor;
+      scene_.start[id].where = PlaceKind::Floor;
       scene_.start[id].at = Id::room(room);
     }
     scene_.start.room = random_room();
@@ -77,19 +77,19 @@ class NaiveDraw {
   void come_to_rest() {
     for (std::size_t i = 0; i < scene_.start.things.size(); ++i) {
       const auto& thing = scene_.start.things[i];
-      const bool lies = thing.where == Where::On || thing.where == Where::Inside;
+      const bool lies = thing.where == PlaceKind::On || thing.where == PlaceKind::Inside;
       if (lies) run_processes(scene_.setting, scene_.start, thing.at, false);
     }
   }
 
   void add(KindId kind_number, int n) {
     const auto& about = scenes_.rules_.kind(kind_number);
-    symbolic::Role role;
+    symbolic::ObjectEntry role;
     role.id = about.category + "_" + std::to_string(n + 1);
     role.kind = kind_number;
     role.spot_m = rng_.unit() * 30;
     dress(role, about);
-    scene_.setting.cast.things.push_back(role);
+    scene_.setting.objects.things.push_back(role);
     scene_.start.things.push_back(symbolic::default_thing(about));
     const auto id = Id::thing(scene_.start.things.size() - 1);
     scene_.start[id].at = random_room();
@@ -115,7 +115,7 @@ class NaiveDraw {
     int number = 0, room = 0;
     std::optional<KindId> spacious;
     const auto space = [&](KindId place) { return scenes_.rules_.capacity(movable, Predicate::On, place); };
-    for (const auto& role : scene_.setting.cast.things) {
+    for (const auto& role : scene_.setting.objects.things) {
       number += role.kind == movable ? 1 : 0;
       if (role.kind.index() < scenes_.named_ || kind_numbered(role.kind).movable) continue;
       room += space(role.kind);
@@ -124,7 +124,7 @@ class NaiveDraw {
     for (int n = 20; spacious && room < number; ++n, room += space(*spacious)) add(*spacious, n);
   }
 
-  void dress(symbolic::Role& role, const symbolic::Kind& about) {
+  void dress(symbolic::ObjectEntry& role, const symbolic::Kind& about) {
     if (!about.colours.empty()) role.colour = rng_.pick(about.colours);
     if (!about.materials.empty()) role.material = rng_.pick(about.materials);
     role.size = rng_.chance(0.5) ? "small" : "large";
@@ -153,14 +153,14 @@ class NaiveDraw {
     }
     thing.beside = kNobody;
     thing.under = false;
-    thing.where = Where::Floor;
+    thing.where = PlaceKind::Floor;
     thing.at = random_room();
-    std::vector<std::pair<Where, Id>> places;
+    std::vector<std::pair<PlaceKind, Id>> places;
     for (std::size_t i = 0; i < scene_.start.things.size(); ++i) {
       const auto place = Id::thing(i);
       if (place == id || rests_on(scene_.start, place, id)) continue;
-      if (may_stand(id, Predicate::On, place)) places.emplace_back(Where::On, place);
-      if (may_stand(id, Predicate::Inside, place)) places.emplace_back(Where::Inside, place);
+      if (may_stand(id, Predicate::On, place)) places.emplace_back(PlaceKind::On, place);
+      if (may_stand(id, Predicate::Inside, place)) places.emplace_back(PlaceKind::Inside, place);
     }
     if (places.empty() || (may_stand_on_floor(id) && rng_.chance(0.15))) return;
     std::tie(thing.where, thing.at) = rng_.pick(places);
@@ -177,7 +177,7 @@ class NaiveDraw {
 
   bool may_stand_on_floor(Id id) const {
     const auto own = scene_.setting.kind_number(id);
-    return scenes_.rules_.offer().has(ActionType::Drop) ||
+    return scenes_.rules_.capabilities().has(ActionType::Drop) ||
            std::none_of(scenes_.visited_.begin(), scenes_.visited_.end(),
                         [&](const auto& visit) { return visit.second == own; });
   }
@@ -188,7 +188,7 @@ class NaiveDraw {
     auto& thing = scene_.start[id];
     const auto& host = scene_.start[other];
     const bool same = thing.where == host.where && thing.at == host.at;
-    if (other == id || !same || (under && host.where != Where::Floor)) return;
+    if (other == id || !same || (under && host.where != PlaceKind::Floor)) return;
     thing.beside = other;
     thing.under = under;
   }
@@ -215,11 +215,11 @@ class NaiveDraw {
       case Predicate::Colour:
       case Predicate::Material:
       case Predicate::Size:
-        dress(scene_.setting.cast.role(id), kind(id));
+        dress(scene_.setting.objects.object(id), kind(id));
         return true;
       case Predicate::Nearest:
         move(id);
-        scene_.setting.cast.role(root_of(scene_.start, id)).spot_m = rng_.unit() * 30;
+        scene_.setting.objects.object(root_of(scene_.start, id)).spot_m = rng_.unit() * 30;
         return false;
       case Predicate::NextTo:
       case Predicate::Under:

@@ -161,7 +161,7 @@ NaiveScenes::NaiveScenes(const Specification& specification, const Knowledge& kn
     : specification_(specification),
       categories_(sorted_names(specification, knowledge, rng, false)),
       room_types_(sorted_names(specification, knowledge, rng, true)),
-      rules_(knowledge, offer_of(knowledge.simulator(), profile), categories_) {
+      rules_(knowledge, capabilities_of(knowledge.simulator(), profile), categories_) {
   const auto names = names_of(specification, knowledge);
   while (named_ < categories_.size() && names.count(categories_[named_]) > 0) ++named_;
   for (const char* type : kOtherRooms) room_types_.emplace_back(type);

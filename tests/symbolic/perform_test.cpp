@@ -33,26 +33,27 @@ struct Kitchen {
 
   explicit Kitchen(Simulator simulator = Simulator::Ai2thor)
       : knowledge(kitchen_with_places(simulator)),
-        rules(knowledge, offer_of(simulator), {"CounterTop", "Fridge", "Microwave", "Sink", "Knife", "Apple", "Mug"}) {
+        rules(knowledge, capabilities_of(simulator),
+              {"CounterTop", "Fridge", "Microwave", "Sink", "Knife", "Apple", "Mug"}) {
     setting.rules = &rules;
-    setting.cast.rooms = {{"kitchen_1", "Kitchen"}, {"hall_1", "Hall"}};
+    setting.objects.rooms = {{"kitchen_1", "Kitchen"}, {"hall_1", "Hall"}};
     counter = add("CounterTop");
     fridge = add("Fridge");
     microwave = add("Microwave");
     sink = add("Sink");
-    knife = add("Knife", Where::On, counter);
-    apple = add("Apple", Where::Inside, fridge);
-    mug = add("Mug", Where::Inside, sink);
+    knife = add("Knife", PlaceKind::On, counter);
+    apple = add("Apple", PlaceKind::Inside, fridge);
+    mug = add("Mug", PlaceKind::Inside, sink);
     world[mug].set(Predicate::Dirty);
     world.room = Id::room(1);
     add_pieces(setting, world);
   }
 
-  Id add(const std::string& category, Where where = Where::Floor, Id at = Id::room(0)) {
-    Role role;
+  Id add(const std::string& category, PlaceKind where = PlaceKind::Floor, Id at = Id::room(0)) {
+    ObjectEntry role;
     role.id = category;
     role.kind = rules.kind_named(category).value();
-    setting.cast.things.push_back(role);
+    setting.objects.things.push_back(role);
     Thing thing = default_thing(rules.kind(role.kind));
     thing.where = where;
     thing.at = at;
@@ -77,6 +78,23 @@ TEST(Perform, WhatIsFarOrShutAwayIsOutOfReach) {
   EXPECT_EQ(home.act(PickUp, home.apple), Failure::None);
   EXPECT_EQ(home.act(PickUp, home.knife), Failure::HandsFull);
   EXPECT_TRUE(home.is(home.apple, Predicate::Held));
+}
+
+/// Of the things of one category, the one whose furniture stands nearest to that of another thing.
+TEST(Nearest, IsTheOneAtTheLeastDistance) {
+  Kitchen home;
+  double spot = 0;
+  for (const Id furniture : {home.counter, home.fridge, home.microwave, home.sink})
+    home.setting.objects.object(furniture).spot_m = 2 * spot++;
+  const Id cold = home.add("Mug", PlaceKind::On, home.fridge);  // at 2 m; the other, in the sink, at 6 m
+  const auto nearest = [&](Id thing, Id other) {
+    return holds(home.setting, home.world, Predicate::Nearest, thing, other, kAnySymbol);
+  };
+  EXPECT_TRUE(nearest(cold, home.counter));
+  EXPECT_FALSE(nearest(home.mug, home.counter));
+  EXPECT_TRUE(nearest(home.mug, home.sink));
+  EXPECT_FALSE(nearest(cold, home.sink));
+  EXPECT_TRUE(nearest(home.apple, home.sink)) << "the only one of its category";
 }
 
 TEST(Perform, AFailedActionChangesNothing) {
@@ -156,7 +174,7 @@ TEST(Perform, WhatFitsIsWhatTheKnowledgeSays) {
   EXPECT_EQ(home.act(PlaceOn, home.fridge), Failure::TooFar);
   home.act(GoTo, home.fridge);
   EXPECT_EQ(home.act(PlaceOn, home.fridge), Failure::DoesNotFit);
-  for (int i = 0; i < 5; ++i) home.add("Mug", Where::On, home.counter);
+  for (int i = 0; i < 5; ++i) home.add("Mug", PlaceKind::On, home.counter);
   home.act(GoTo, home.counter);
   EXPECT_EQ(home.act(PlaceOn, home.counter), Failure::NoFreePlace);  // five fit, and five are there
 }
@@ -172,7 +190,7 @@ TEST(Perform, NothingIsDoneThatTheSimulatorDoesNotOffer) {
 
 TEST(Perform, AThingInAThingThatIsCarriedGoesAlong) {
   Kitchen home;
-  home.world[home.knife].where = Where::Inside;
+  home.world[home.knife].where = PlaceKind::Inside;
   home.world[home.knife].at = home.mug;
   home.act(GoTo, home.sink);
   ASSERT_EQ(home.act(PickUp, home.mug), Failure::None);

@@ -15,7 +15,7 @@ namespace {
 
 using symbolic::Id;
 using symbolic::kNobody;
-using symbolic::Where;
+using symbolic::PlaceKind;
 
 /// The kitchen's knowledge, in which everything movable fits everywhere: geometry is for the physical twin to say.
 Knowledge roomy(Simulator simulator) {
@@ -47,12 +47,12 @@ struct Twin {
       : rules(knowledge, offer_as(profile), names(knowledge)) {
     rules.symbol_number("wine");
     setting.rules = &rules;
-    for (const auto& room : scene.rooms) setting.cast.rooms.push_back({room.id, room.type});
+    for (const auto& room : scene.rooms) setting.objects.rooms.push_back({room.id, room.type});
     for (const auto& node : scene.nodes) {
-      symbolic::Role role;
+      symbolic::ObjectEntry role;
       role.id = node.id;
       role.kind = rules.kind_named(node.category).value();
-      setting.cast.things.push_back(role);
+      setting.objects.things.push_back(role);
       world.things.push_back(thing_of(scene, node));
       const bool seat = node.states.has(Predicate::SatOn) || node.states.has(Predicate::LainOn);
       if (seat) world.seat = Id::thing(world.things.size() - 1);
@@ -62,7 +62,7 @@ struct Twin {
     symbolic::add_pieces(setting, world);
   }
 
-  static symbolic::Offer offer_as(const Profile& profile) {
+  static symbolic::Capabilities offer_as(const Profile& profile) {
     return {profile.actions, profile.power_needs_closed, profile.open_needs_power_off, profile.power_needs_plug,
             profile.attaching};
   }
@@ -84,18 +84,18 @@ struct Twin {
     }
     const auto& held = scene.agent.held;
     if (std::find(held.begin(), held.end(), node.id) != held.end()) {
-      thing.where = Where::Hand;
+      thing.where = PlaceKind::Hand;
       thing.at = kNobody;
     }
     std::size_t deepest = 0;
     for (const auto& edge : scene.edges) {
-      if (edge.from != node.id || thing.where == Where::Hand || thing.where == Where::On) continue;
+      if (edge.from != node.id || thing.where == PlaceKind::Hand || thing.where == PlaceKind::On) continue;
       if (edge.relation == Predicate::On) {
-        thing.where = Where::On;
+        thing.where = PlaceKind::On;
         thing.at = number(scene, edge.to);
       } else if (edge.relation == Predicate::Inside && depth(scene, edge.to) >= deepest) {
         deepest = depth(scene, edge.to);
-        thing.where = Where::Inside;
+        thing.where = PlaceKind::Inside;
         thing.at = number(scene, edge.to);
       }
     }
@@ -127,7 +127,7 @@ ActionType draw_action(const Twin& twin, Id target, Rng& rng) {
   for (const auto list : {all_actions(), extension_actions()}) {
     for (const auto& action : list) {
       if (action.type <= ActionType::TurnTo || action.type == ActionType::Stop) continue;
-      if (is_extension(action.type) && !twin.rules.offer().has(action.type)) continue;
+      if (is_extension(action.type) && !twin.rules.capabilities().has(action.type)) continue;
       const bool alone = action.argument == ActionArgument::None;
       auto trial = twin.world;
       all.push_back(action.type);
@@ -176,13 +176,13 @@ TEST(Twins, PhysicsAndSymbolsAgreeOnWhatActionsNeedAndDo) {
         }
         ASSERT_EQ(name_of(failure), name_of(Failure::None));
         Twin after(world.scene(), knowledge, profile);
-        for (std::size_t k = 0; k < before.setting.cast.things.size(); ++k) {
-          if (k >= after.world.things.size() || before.setting.cast.things[k].whole != kNobody) continue;
+        for (std::size_t k = 0; k < before.setting.objects.things.size(); ++k) {
+          if (k >= after.world.things.size() || before.setting.objects.things[k].whole != kNobody) continue;
           const auto& symbols = before.world.things[k];
           const auto& physics = after.world.things[k];
-          ASSERT_EQ(symbols.states, physics.states) << before.setting.cast.things[k].id;
-          ASSERT_EQ(symbols.coats, physics.coats) << before.setting.cast.things[k].id;
-          ASSERT_EQ(symbols.filling, physics.filling) << before.setting.cast.things[k].id;
+          ASSERT_EQ(symbols.states, physics.states) << before.setting.objects.things[k].id;
+          ASSERT_EQ(symbols.coats, physics.coats) << before.setting.objects.things[k].id;
+          ASSERT_EQ(symbols.filling, physics.filling) << before.setting.objects.things[k].id;
         }
         ASSERT_EQ(before.world.held, after.world.held);
         succeeded.insert(action);

@@ -155,8 +155,8 @@ TEST(Reach, CoversWhateverRandomActionsBringAbout) {
             atom.second = Id::room(0);
           if (atom.predicate == Predicate::Nearest || atom.second == target) continue;
           const bool now = holds(scene->setting, world, atom.predicate, target, atom.second, kAnySymbol);
-          ASSERT_TRUE(reach.may(atom, now)) << predicate.name << " of " << scene->setting.cast.role(target).id << " is "
-                                            << now << " on " << name_of(simulator) << " seed " << seed;
+          ASSERT_TRUE(reach.may(atom, now)) << predicate.name << " of " << scene->setting.objects.object(target).id
+                                            << " is " << now << " on " << name_of(simulator) << " seed " << seed;
         }
       }
     }

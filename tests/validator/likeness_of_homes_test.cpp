@@ -64,7 +64,7 @@ void print_row(const std::string& name, const std::vector<double>& likenesses) {
 }
 
 TEST(LikenessOfHomes, IsFarBelowTheThresholdForHomesOfTheirOwn) {
-  std::vector<HomePrint> prints;
+  std::vector<HomeFingerprint> prints;
   for (const Scene& home : homes()) prints.push_back(print_of_home(home));
   std::vector<double> likenesses;
   for (std::size_t i = 0; i < prints.size(); ++i) {
@@ -95,7 +95,7 @@ TEST(LikenessOfHomes, IsAboveTheThresholdForCopiesWithChanges) {
 }
 
 TEST(LikenessOfHomes, NeitherNamesNorPlaceInTheWorldMatter) {
-  const HomePrint print = print_of_home(homes()[0]);
+  const HomeFingerprint print = print_of_home(homes()[0]);
   for (const HomeEdit& edit : kHomeEdits) {
     const std::string name = edit.name;
     if (name != "mirrored" && name != "renumbered" && !name.starts_with("turned")) continue;
@@ -105,7 +105,7 @@ TEST(LikenessOfHomes, NeitherNamesNorPlaceInTheWorldMatter) {
 
 /// What is alike by category must be so without sizes, and the other way round.
 TEST(LikenessOfHomes, CategoriesWithRoomTypesAreEnoughAndSoAreSizesWhicheverSideIsFirst) {
-  const HomePrint print = print_of_home(homes()[0]);
+  const HomeFingerprint print = print_of_home(homes()[0]);
   Scene of_other_sizes = renumbered(homes()[0], Rng(1));
   edit_nodes(of_other_sizes, [](std::vector<Node>& nodes) {
     for (Node& node : nodes) node.size *= 1.5;

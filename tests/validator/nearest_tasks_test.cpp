@@ -48,14 +48,14 @@ std::vector<HomeTask> drawn_tasks(const std::string& name, std::size_t count, st
 }
 
 /// As print_of makes it of a folder.
-SetPrint print_of_tasks(const std::vector<HomeTask>& tasks) {
-  SetPrint print;
+SetFingerprint print_of_tasks(const std::vector<HomeTask>& tasks) {
+  SetFingerprint print;
   print.folder = "other";
   for (const auto& task : tasks) {
     print.home_keys.insert(home_key_of(task.home));
     print.compared.tasks.push_back({task.record.id, print.compared.homes.size(), print_of_goal(task.record.goal_tree),
                                     print_of_text(task.record.instruction)});
-    print.compared.homes.push_back({task.home.id, std::make_shared<HomePrint>(print_of_home(task.home))});
+    print.compared.homes.push_back({task.home.id, std::make_shared<HomeFingerprint>(print_of_home(task.home))});
   }
   return print;
 }

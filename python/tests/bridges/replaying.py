@@ -25,7 +25,7 @@ class ReplayServer:
                 users = [message for message in request["messages"] if message["role"] == "user"]
                 content = users[0]["content"]
                 text = content if isinstance(content, str) else "".join(part.get("text", "") for part in content)
-                answer = json.dumps(next_step(dataset, mode, text, len(said)).said())
+                answer = json.dumps(next_step(dataset, mode, text, len(said)).command())
                 message = {"role": "assistant", "content": answer}
                 choice = {"index": 0, "finish_reason": "stop"}
                 head = {"id": "replay", "created": 0, "model": request["model"]}

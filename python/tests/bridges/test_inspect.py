@@ -59,10 +59,10 @@ def test_stopping_at_once_scores_zero(folder, tmp_path):
 
 
 def test_a_fault_of_the_environment_is_an_error_and_no_zero(folder, dataset, tmp_path):
-    spoilt = tmp_path / "set"
-    shutil.copytree(folder, spoilt)
-    (spoilt / "homes" / f"{dataset[0].layout}.scene.json.gz").unlink()
-    log = run(spoilt, replay(unietp.load_dataset(spoilt), "M2"), tmp_path, limit=1, fail_on_error=False)
+    damaged = tmp_path / "set"
+    shutil.copytree(folder, damaged)
+    (damaged / "homes" / f"{dataset[0].layout}.scene.json.gz").unlink()
+    log = run(damaged, replay(unietp.load_dataset(damaged), "M2"), tmp_path, limit=1, fail_on_error=False)
     assert log.samples[0].error is not None and not log.samples[0].scores
 
 

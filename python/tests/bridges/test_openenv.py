@@ -41,7 +41,7 @@ def test_a_demonstration_reaches_the_goal(folder, dataset, serve, mode):
         assert task.instruction in result.observation.text and result.observation.prompt and result.observation.image
         for step in dataset.demonstration(task, mode).steps:
             assert not result.done
-            result = env.step(UnietpAction(said=step.said()))
+            result = env.step(UnietpAction(action=step.command()))
         assert result.done and result.reward == 1
         state = env.state()
         assert state.task == task.id and state.success is True
@@ -52,7 +52,7 @@ def test_sessions_are_apart_and_limited(folder, dataset, serve):
     with UnietpClient(base_url=url).sync() as one, UnietpClient(base_url=url).sync() as two:
         first, second = one.reset(task=dataset[0].id), two.reset(task=dataset[1].id)
         assert first.observation.fields["instruction"] != second.observation.fields["instruction"]
-        one.step(UnietpAction(said="turn_left()"))
+        one.step(UnietpAction(action="turn_left()"))
         assert (one.state().step_count, two.state().step_count) == (1, 0)
         with pytest.raises(Exception, match="(?i)capacity|limit|sessions"):
             with UnietpClient(base_url=url).sync() as three:
@@ -76,7 +76,7 @@ def test_a_silent_session_is_closed(folder, serve):
         else:
             pytest.fail("the place of the silent session was not freed")
         with pytest.raises(Exception):
-            env.step(UnietpAction(said="stop()"))
+            env.step(UnietpAction(action="stop()"))
 
 
 def test_the_tasks_are_listed(folder, dataset, serve):

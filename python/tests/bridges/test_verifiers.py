@@ -38,11 +38,11 @@ def test_the_demonstrations_are_rewarded(folder, dataset, tmp_path, mode):
 
 
 def test_a_fault_of_the_environment_is_an_error_and_no_reward(folder, dataset, tmp_path):
-    spoilt = tmp_path / "set"
-    shutil.copytree(folder, spoilt)
-    (spoilt / "homes" / f"{dataset[0].layout}.scene.json.gz").unlink()
-    with ReplayServer(unietp.load_dataset(spoilt), "M2") as server:
-        [episode] = episodes(spoilt, server.url, tmp_path / "out", 1)
+    damaged = tmp_path / "set"
+    shutil.copytree(folder, damaged)
+    (damaged / "homes" / f"{dataset[0].layout}.scene.json.gz").unlink()
+    with ReplayServer(unietp.load_dataset(damaged), "M2") as server:
+        [episode] = episodes(damaged, server.url, tmp_path / "out", 1)
     assert not episode.ok and episode.errors
     assert all(not trace.rewards for trace in episode.traces)
 

@@ -4,7 +4,7 @@
 
     with UnietpClient(base_url="http://127.0.0.1:8000").sync() as env:
         result = env.reset(task="ai2thor-00001")
-        result = env.step(UnietpAction(said="go_to(mug_1)"))
+        result = env.step(UnietpAction(action="go_to(mug_1)"))
 """
 
 import argparse
@@ -26,7 +26,7 @@ import unietp
 class UnietpAction(Action):
     """What the agent says."""
 
-    said: JsonValue = Field(description="Text or JSON: pick_up(mug_1), or a list of several actions")
+    action: JsonValue = Field(description="Text or JSON: pick_up(mug_1), or a list of several actions")
 
 
 class UnietpObservation(Observation):
@@ -70,7 +70,7 @@ class UnietpEnvironment(Environment[UnietpAction, UnietpObservation, UnietpState
         return self._told(info, prompt=self._env.prompt())
 
     def step(self, action: UnietpAction, timeout_s: float | None = None, **_: Any) -> UnietpObservation:
-        _, reward, terminated, truncated, info = self._env.step(action.said)
+        _, reward, terminated, truncated, info = self._env.step(action.action)
         self._state.step_count = info["observation"]["step"]
         self._state.success = info.get("success")
         return self._told(info, reward=float(reward), done=terminated or truncated)

@@ -11,7 +11,7 @@ namespace unietp {
 /// Values by name, each made at its first use and kept. Thread-safe. Two threads may make the same value at once, so
 /// what makes it must give equal values each time; the first one stays.
 template <class T>
-class MadeOnce {
+class LazyValues {
  public:
   /// The value of a name, made now if it is the first time.
   std::shared_ptr<const T> get(const std::string& name, const std::function<T()>& make) {

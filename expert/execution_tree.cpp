@@ -1,4 +1,4 @@
-#include "expert/rehearsal.h"
+#include "expert/execution_tree.h"
 
 #include <algorithm>
 #include <utility>
@@ -8,23 +8,23 @@
 
 namespace unietp {
 
-Result<Rehearsal> Rehearsal::of(const Formula& goal, const Scene& start, const Knowledge& knowledge,
-                                const Profile& profile) {
+Result<ExecutionTree> ExecutionTree::of(const Formula& goal, const Scene& start, const Knowledge& knowledge,
+                                        const Profile& profile) {
   return of(goal, start, knowledge, profile, {.physics = physics_of(start)});
 }
 
-Result<Rehearsal> Rehearsal::of(const Formula& goal, const Scene& start, const Knowledge& knowledge,
-                                const Profile& profile, KnownStart known) {
+Result<ExecutionTree> ExecutionTree::of(const Formula& goal, const Scene& start, const Knowledge& knowledge,
+                                        const Profile& profile, KnownStart known) {
   if (!known.places) known.places = NodeIndex(start.nodes);
   NodeIndex places = *known.places;
   auto read = std::exchange(known.read, std::nullopt);
   auto world = World::create(start, knowledge, profile, std::move(known));
   if (!world) return world.error();
-  return Rehearsal(goal, start, knowledge, profile, std::move(places), std::move(read), std::move(*world));
+  return ExecutionTree(goal, start, knowledge, profile, std::move(places), std::move(read), std::move(*world));
 }
 
-Rehearsal::Rehearsal(const Formula& goal, const Scene& start, const Knowledge& knowledge, const Profile& profile,
-                     NodeIndex places, std::optional<ReadScene> read, World world)
+ExecutionTree::ExecutionTree(const Formula& goal, const Scene& start, const Knowledge& knowledge,
+                             const Profile& profile, NodeIndex places, std::optional<ReadScene> read, World world)
     : goal_(&goal),
       start_(&start),
       knowledge_(&knowledge),
@@ -42,27 +42,27 @@ Rehearsal::Rehearsal(const Formula& goal, const Scene& start, const Knowledge& k
   at_start_ = reader_.entities();
 }
 
-Facts Rehearsal::read(const Scene& scene) { return compared(reader_.read(scene), scene); }
+Facts ExecutionTree::read(const Scene& scene) { return compared(reader_.read(scene), scene); }
 
-Facts Rehearsal::compared(Facts facts, const Scene& scene) const {
+Facts ExecutionTree::compared(Facts facts, const Scene& scene) const {
   return compared_.none() ? facts : with_comparisons(facts, scene, reader_, compared_);
 }
 
-ActionResult Rehearsal::step(World& world, const Action& action) {
+ActionResult ExecutionTree::step(World& world, const Action& action) {
   const MomentId before = world.moment();
   ActionResult result = world.step(action);
   read(before, world);
   return result;
 }
 
-void Rehearsal::read(MomentId before, const World& world) {
+void ExecutionTree::read(MomentId before, const World& world) {
   const std::size_t now = world.moment().index();
   if (now >= facts_.size()) facts_.resize(now + 1);
   if (!facts_[now])
     facts_[now] = compares_later_ ? read(world.scene()) : reader_.read(*facts_[before.index()], world.changes());
 }
 
-bool Rehearsal::reaches_goal(std::vector<MomentId> moments) {
+bool ExecutionTree::reaches_goal(std::vector<MomentId> moments) {
   // No operator of the logic tells a state that lasts from one that does not.
   moments.erase(std::unique(moments.begin(), moments.end()), moments.end());
   const auto differ = std::mismatch(judged_.begin(), judged_.end(), moments.begin(), moments.end());

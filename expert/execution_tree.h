@@ -18,14 +18,14 @@ namespace unietp {
 
 /// A goal and the world in which it is to be reached, with all that was tried from its start: worlds remember steps,
 /// and this remembers what the logic sees at each moment. What one function has executed costs the next one nothing.
-class Rehearsal {
+class ExecutionTree {
  public:
   /// The goal, the start, the knowledge and the profile must outlive it. Errors: as World::create.
-  static Result<Rehearsal> of(const Formula& goal, const Scene& start, const Knowledge& knowledge,
-                              const Profile& profile);
+  static Result<ExecutionTree> of(const Formula& goal, const Scene& start, const Knowledge& knowledge,
+                                  const Profile& profile);
   /// The same for a start of which something is known already.
-  static Result<Rehearsal> of(const Formula& goal, const Scene& start, const Knowledge& knowledge,
-                              const Profile& profile, KnownStart known);
+  static Result<ExecutionTree> of(const Formula& goal, const Scene& start, const Knowledge& knowledge,
+                                  const Profile& profile, KnownStart known);
 
   /// What it was made of.
   const Formula& goal() const { return *goal_; }
@@ -43,7 +43,7 @@ class Rehearsal {
   /// nullopt for what was in no world so far.
   std::optional<EntityIndex> find(std::string_view id) const { return reader_.find(id); }
 
-  /// Does the action in a world that goes back to this start by steps of this rehearsal.
+  /// Does the action in a world that goes back to this start by steps of this tree.
   ActionResult step(World& world, const Action& action);
   /// Takes in a world that came from the moment `before` by one step, whoever did it.
   void read(MomentId before, const World& world);
@@ -54,8 +54,8 @@ class Rehearsal {
   bool reaches_goal(std::vector<MomentId> moments);
 
  private:
-  Rehearsal(const Formula& goal, const Scene& start, const Knowledge& knowledge, const Profile& profile,
-            NodeIndex places, std::optional<ReadScene> read, World world);
+  ExecutionTree(const Formula& goal, const Scene& start, const Knowledge& knowledge, const Profile& profile,
+                NodeIndex places, std::optional<ReadScene> read, World world);
   Facts read(const Scene& scene);
   Facts compared(Facts facts, const Scene& scene) const;
 

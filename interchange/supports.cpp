@@ -1,4 +1,4 @@
-#include "interchange/holders.h"
+#include "interchange/supports.h"
 
 #include <algorithm>
 
@@ -11,7 +11,7 @@ constexpr double kNear_m = 0.02;  // without a word in the file: what reaches th
 
 }  // namespace
 
-Holders::Holders(const Draft& draft, const std::vector<Bounds>& boxes)
+Supports::Supports(const Draft& draft, const std::vector<Bounds>& boxes)
     : holders_(boxes.size()), children_(boxes.size()) {
   for (const Bounds& box : boxes) volumes_.push_back(volume_of(box));
   std::vector<bool> told(boxes.size(), false);
@@ -33,16 +33,16 @@ Holders::Holders(const Draft& draft, const std::vector<Bounds>& boxes)
   }
 }
 
-bool Holders::held_by(std::size_t node, std::size_t holder) const {
+bool Supports::held_by(std::size_t node, std::size_t holder) const {
   return std::binary_search(above_[node].begin(), above_[node].end(), holder);
 }
 
-bool Holders::smaller(std::size_t a, std::size_t b) const {
+bool Supports::smaller(std::size_t a, std::size_t b) const {
   return volumes_[a] != volumes_[b] ? volumes_[a] < volumes_[b] : a < b;
 }
 
-std::optional<std::size_t> Holders::holder_by_place(const Draft& draft, const std::vector<Bounds>& boxes,
-                                                    std::size_t node) const {
+std::optional<std::size_t> Supports::holder_by_place(const Draft& draft, const std::vector<Bounds>& boxes,
+                                                     std::size_t node) const {
   const Bounds& box = boxes[node];
   const Vec3 bottom((box.low.x() + box.high.x()) / 2, (box.low.y() + box.high.y()) / 2, box.low.z());
   if (bottom.z() < kNear_m) return std::nullopt;
@@ -57,7 +57,7 @@ std::optional<std::size_t> Holders::holder_by_place(const Draft& draft, const st
   return best;
 }
 
-std::vector<std::size_t> Holders::all_above(std::size_t node) const {
+std::vector<std::size_t> Supports::all_above(std::size_t node) const {
   std::vector<bool> seen(holders_.size(), false);
   std::vector<std::size_t> open{node}, all;
   seen[node] = true;

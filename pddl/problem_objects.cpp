@@ -1,4 +1,4 @@
-#include "pddl/cast.h"
+#include "pddl/problem_objects.h"
 
 #include <set>
 
@@ -79,8 +79,8 @@ class CastPicker {
 
 }  // namespace
 
-std::vector<const Node*> cast_of(const Scene& scene, const Knowledge& knowledge, const Formula& goal,
-                                 const std::vector<std::string>& handled) {
+std::vector<const Node*> problem_objects(const Scene& scene, const Knowledge& knowledge, const Formula& goal,
+                                         const std::vector<std::string>& handled) {
   CastPicker picker(scene, knowledge);
   for (const auto& id : handled) {
     if (const auto* node = find_node(scene, id); node != nullptr) picker.take(*node);

@@ -1,4 +1,4 @@
-#include "spoilt_task.h"
+#include "damaged_task.h"
 
 #include <algorithm>
 #include <optional>
@@ -9,7 +9,7 @@ namespace unietp {
 
 using Json = nlohmann::ordered_json;
 
-Json* SpoiltTask::last_step(std::initializer_list<const char*> actions) {
+Json* DamagedTask::last_step(std::initializer_list<const char*> actions) {
   auto& steps = demonstration["steps"];
   for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
     if (std::any_of(actions.begin(), actions.end(), [&](const char* name) { return (*step)["action"] == name; }))
@@ -18,7 +18,7 @@ Json* SpoiltTask::last_step(std::initializer_list<const char*> actions) {
   return nullptr;
 }
 
-Json SpoiltTask::line() const {
+Json DamagedTask::line() const {
   const auto among = [](const Json& list, const auto& is_it) { return std::any_of(list.begin(), list.end(), is_it); };
   Json changes = Json::object();
   for (const auto& node : scene["nodes"]) {
@@ -44,7 +44,7 @@ Json SpoiltTask::line() const {
   return changed;
 }
 
-std::string SpoiltTask::category_of(const std::string& id) const {
+std::string DamagedTask::category_of(const std::string& id) const {
   for (const auto& node : scene["nodes"]) {
     if (node["id"] == id) return node["category"];
   }
@@ -71,32 +71,32 @@ std::optional<Where> where_in(const std::string& goal) {
 
 /// The goal with its first `:where f` as `with(f)` says.
 template <class With>
-bool change_where(SpoiltTask& spoilt, With with) {
-  if (spoilt.task["split"] != "instance_grounding") return false;
-  const auto goal = spoilt.goal();
+bool change_where(DamagedTask& damaged, With with) {
+  if (damaged.task["split"] != "instance_grounding") return false;
+  const auto goal = damaged.goal();
   const auto where = where_in(goal);
   if (!where) return false;
   const auto f = goal.substr(where->from, where->to - where->from);
-  spoilt.set_goal(goal.substr(0, where->from) + with(f) + goal.substr(where->to));
+  damaged.set_goal(goal.substr(0, where->from) + with(f) + goal.substr(where->to));
   return true;
 }
 
 /// `(and … extra)` at the end, with an object as ?z.
-bool extend_goal(SpoiltTask& spoilt, const std::string& extra) {
-  spoilt.set_goal("(and " + spoilt.goal() + " " + extra + ")");
+bool extend_goal(DamagedTask& damaged, const std::string& extra) {
+  damaged.set_goal("(and " + damaged.goal() + " " + extra + ")");
   return true;
 }
 
-Json& steps_of(SpoiltTask& spoilt) { return spoilt.demonstration["steps"]; }
+Json& steps_of(DamagedTask& damaged) { return damaged.demonstration["steps"]; }
 
 /// The goal becomes that the first thing picked up is in the hand at some time: whatever comes then is in vain.
-bool ask_for_less(SpoiltTask& spoilt, const char* then) {
-  for (auto step = steps_of(spoilt).begin(); step != steps_of(spoilt).end(); ++step) {
+bool ask_for_less(DamagedTask& damaged, const char* then) {
+  for (auto step = steps_of(damaged).begin(); step != steps_of(damaged).end(); ++step) {
     if ((*step)["action"] != "pick_up") continue;
     const bool there =
-        std::any_of(step, steps_of(spoilt).end(), [&](const Json& one) { return one["action"] == then; });
+        std::any_of(step, steps_of(damaged).end(), [&](const Json& one) { return one["action"] == then; });
     if (!there) return false;
-    spoilt.set_goal("(exists (?z - " + spoilt.category_of((*step)["args"][0]) + ") (sometime (held ?z)))");
+    damaged.set_goal("(exists (?z - " + damaged.category_of((*step)["args"][0]) + ") (sometime (held ?z)))");
     return true;
   }
   return false;
@@ -107,7 +107,7 @@ bool has_size(const std::string& text, std::size_t words) {
 }
 
 /// Whether there is another thing of the same category that is in nothing with a door.
-bool another_lies_open(const SpoiltTask& s, const std::string& id) {
+bool another_lies_open(const DamagedTask& s, const std::string& id) {
   const auto opens = [&s](const Json& thing) {
     const auto& nodes = s.scene["nodes"];
     return std::any_of(nodes.begin(), nodes.end(),
@@ -129,42 +129,42 @@ bool another_lies_open(const SpoiltTask& s, const std::string& id) {
 
 const std::vector<Corruption> kCorruptions{
     {"AnOutcomeTurnedRound", "outcome",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        steps_of(s)[0]["success"] = false;
        return true;
      }},
     {"AnotherFeedback", "outcome",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        steps_of(s)[0]["feedback"] = "You are there.";
        return true;
      }},
     {"AnActionWithALetterChanged", "unreadable",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        steps_of(s)[0]["action"] = "go_ta";
        return true;
      }},
     {"AnUnknownField", "unreadable",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        s.task["surprise"] = 1;
        return true;
      }},
     {"ABrokenLine", "unreadable",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        s.task_line = "[" + s.task.dump().substr(1);
        return true;
      }},
     {"ADemonstrationThatIsMissing", "missing-demonstration",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        s.without_demonstration = true;
        return true;
      }},
     {"ADemonstrationOfAnotherMode", "stray-demonstration",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        s.demonstration["mode"] = "M2";
        return true;
      }},
     {"APoseChangedByADigit", "changes",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        for (auto& step : steps_of(s)) {
          if (!step["changes"].contains("agent")) continue;
          auto& x = step["changes"]["agent"]["position"][0];
@@ -174,7 +174,7 @@ const std::vector<Corruption> kCorruptions{
        return false;
      }},
     {"ARelationThatDidNotEnd", "changes",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        for (auto& step : steps_of(s)) {
          if (step["changes"].contains("edges_removed") && step["changes"]["edges_removed"].size() > 1) {
            step["changes"]["edges_removed"].erase(0);
@@ -184,7 +184,7 @@ const std::vector<Corruption> kCorruptions{
        return false;
      }},
     {"ABoxThatIsAPixelWider", "view",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        for (auto& step : steps_of(s)) {
          if (step["visible"].empty()) continue;
          auto& right = step["visible"][0]["box"][2];
@@ -194,32 +194,32 @@ const std::vector<Corruption> kCorruptions{
        return false;
      }},
     {"AStepLeftOut", "goal-not-reached",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        steps_of(s).erase(steps_of(s).size() - 2);  // the last before stop
        return true;
      }},
     {"AStepAfterTheEnd", "after-end",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        steps_of(s).push_back(steps_of(s).back());
        return true;
      }},
     {"NoStop", "no-stop",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        steps_of(s).erase(steps_of(s).size() - 1);
        return true;
      }},
     {"AnotherCountOfSteps", "step-count",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        s.task["expert"]["M1"]["steps"] = s.task["expert"]["M1"]["steps"].get<int>() + 1;
        return true;
      }},
     {"AGoalThatDoesNotRead", "goal-text",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        s.set_goal("[" + s.goal().substr(1));
        return true;
      }},
     {"AGoalsTreeOfAnotherCategory", "goal-tree",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        auto text = s.task["goal"]["tree"].dump();
        const std::string mark = "\"category\":\"";
        const auto at = text.find(mark);
@@ -229,45 +229,45 @@ const std::vector<Corruption> kCorruptions{
        return true;
      }},
     {"AGoalTurnedIntoItsOpposite", "goal-at-start",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        s.set_goal("(not " + s.goal() + ")");
        return true;
      }},
     {"AGoalThatIsNotReached", "goal-not-reached",
-     [](SpoiltTask& s) { return extend_goal(s, "(at-end (forall (?z - object) (held ?z)))"); }},
+     [](DamagedTask& s) { return extend_goal(s, "(at-end (forall (?z - object) (held ?z)))"); }},
     {"APartThatHoldsAtTheStart", "part-at-start",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        return extend_goal(s, "(at-end (exists (?z - object) (exists (?zr - room) (in_room ?z ?zr))))");
      }},
     {"AGoalAboutWhatIsNotThere", "empty-domain",
-     [](SpoiltTask& s) { return extend_goal(s, "(at-end (forall (?z - unicorn) (held ?z)))"); }},
+     [](DamagedTask& s) { return extend_goal(s, "(at-end (forall (?z - unicorn) (held ?z)))"); }},
     {"AGoalAboutAnUnknownCategory", "binding",
-     [](SpoiltTask& s) { return extend_goal(s, "(at-end (not (exists (?z - unicorn) (dirty ?z))))"); }},
+     [](DamagedTask& s) { return extend_goal(s, "(at-end (not (exists (?z - unicorn) (dirty ?z))))"); }},
     {"ABindingOfWhatNobodySpeaksOf", "binding",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        s.task["bindings"]["A"] = "unicorn";
        return true;
      }},
     {"AStartConstraintThatDoesNotHold", "start-constraint",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        s.task["start"]["constraints"].push_back("(forall (?z - object) (held ?z))");
        return true;
      }},
     {"AStartConstraintThatDoesNotRead", "start-constraint",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        s.task["start"]["constraints"].push_back("(forall ?z)");
        return true;
      }},
     {"AReferringPhraseOfNothing", "no-referent",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        return change_where(s, [](const std::string& f) { return "(and " + f + " (not " + f + "))"; });
      }},
     {"AReferringPhraseOfEverything", "no-distractor",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        return change_where(s, [](const std::string& f) { return "(or " + f + " (not " + f + "))"; });
      }},
     {"ADistractorThatServes", "distractor-serves",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        const auto goal = s.goal();
        const auto where = where_in(goal);
        const auto* step = s.last_step({"pick_up"});
@@ -281,10 +281,10 @@ const std::vector<Corruption> kCorruptions{
        s.set_goal("(or " + goal + " " + goal.substr(0, where->from) + "(not " + f + ")" + goal.substr(where->to) + ")");
        return true;
      }},
-    {"AStepThatIsNotNeeded", "needless-step", [](SpoiltTask& s) { return ask_for_less(s, "go_to"); }},
-    {"SomethingThatMayStayInTheHand", "left-in-hand", [](SpoiltTask& s) { return ask_for_less(s, "place_on"); }},
+    {"AStepThatIsNotNeeded", "needless-step", [](DamagedTask& s) { return ask_for_less(s, "go_to"); }},
+    {"SomethingThatMayStayInTheHand", "left-in-hand", [](DamagedTask& s) { return ask_for_less(s, "place_on"); }},
     {"AnOrderThatDoesNotMatter", "any-order",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        // What was picked up from where it lies was held, whether what is done after putting it down comes first or not.
        const auto& steps = steps_of(s);
        int picked = 0;
@@ -304,22 +304,22 @@ const std::vector<Corruption> kCorruptions{
        return true;
      }},
     {"ATaskInAHomeThatIsNotThere", "unreadable",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        s.task["layout"] = "elsewhere";
        return true;
      }},
     {"AChangeOfSomethingThatIsNotThere", "unreadable",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        s.home["nodes"].push_back({{"id", "unicorn_1"}});
        return true;
      }},
     {"ATaskOnAnotherSimulator", "scene-name",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        s.task["simulator"] = s.task["simulator"] == "habitat" ? "behavior" : "habitat";
        return true;
      }},
     {"SomethingInTheAir", "unrest",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        for (auto& node : s.scene["nodes"]) {
          if (!node["movable"].get<bool>()) continue;
          auto& height = node["position"][2];
@@ -329,12 +329,12 @@ const std::vector<Corruption> kCorruptions{
        return false;
      }},
     {"ARelationThatIsNotSaid", "relations",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        s.scene["edges"].erase(0);
        return true;
      }},
     {"ARelationThatIsNotThere", "relations",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        for (auto& edge : s.scene["edges"]) {
          if (edge["relation"] != "in_room") continue;
          for (const auto& room : s.scene["rooms"]) {
@@ -346,27 +346,27 @@ const std::vector<Corruption> kCorruptions{
        return false;
      }},
     {"ASceneWithAnUnknownCategory", "unbuildable",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        s.scene["nodes"].back()["category"] = "unicorn";
        return true;
      }},
     {"ASceneOfAnotherName", "task-name",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        s.task["scene"] = "elsewhere";
        return true;
      }},
     {"AnEditThatWasNotMade", "edits",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        s.task["start"]["edits"].push_back("added Unicorn unicorn_1 on table_1");
        return true;
      }},
     {"AGradeThatTheGoalDoesNotHave", "sense",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        s.task["sense"]["grade"] = s.task["sense"]["grade"] == "usual" ? "tolerable" : "usual";
        return true;
      }},
     {"AReasonForTheGradeThatIsNotGiven", "sense",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        auto& parts = s.task["sense"]["parts"];
        if (!parts.empty()) parts[0]["why"] = "somebody thinks so";
        return !parts.empty();
@@ -392,44 +392,44 @@ const std::vector<Corruption> kCorruptions{
        return false;
      }},
     {"ARefinementThatWasNotMade", "template",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        if (s.task["refinement"] != "") return false;
        s.task["refinement"] = "by-room";
        return true;
      }},
     {"ACheckThatWasNotMade", "text-record",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        s.task["instruction"]["checks"].push_back("judged-back");
        return true;
      }},
     {"NoWords", "no-text",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        s.task["instruction"]["text"] = " ";
        return true;
      }},
     {"AnIdInTheText", "text-form",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        const std::string text = s.task["instruction"]["text"], id = s.scene["nodes"][0]["id"];
        s.task["instruction"]["text"] = text + " Look at " + id + ".";
        return true;
      }},
     {"MarkupInTheText", "text-form",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        s.task["instruction"]["text"] = "**" + s.task["instruction"]["text"].get<std::string>() + "**";
        return true;
      }},
     {"ATextThatAsksForMore", "text-meaning",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        s.task["instruction"]["text"] = s.task["instruction"]["text"].get<std::string>() + " Also open every window.";
        return true;
      }},
     {"ATextOfAnotherGoal", "text-meaning",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        s.task["instruction"]["text"] = "Please keep every door closed the whole time.";
        return true;
      }},
     {"AStyleThatTheTextLacks", "text-style",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        const std::string text = s.task["instruction"]["text"];
        if (s.task["instruction"]["style"] != "direct" || has_size(text, 15)) return false;
        s.task["instruction"]["style"] = "exception";

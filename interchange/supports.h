@@ -10,10 +10,10 @@ namespace unietp {
 
 /// Which node of a draft stands on or in which: as the file says, and where it says nothing of something that moves,
 /// the smallest thing on or in which it could be.
-class Holders {
+class Supports {
  public:
   /// `boxes`: of each node, W.
-  Holders(const Draft& draft, const std::vector<Bounds>& boxes);
+  Supports(const Draft& draft, const std::vector<Bounds>& boxes);
 
   /// What holds a node, the smallest first.
   const std::vector<std::size_t>& of(std::size_t node) const { return holders_[node]; }

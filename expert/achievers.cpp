@@ -1,4 +1,4 @@
-#include "expert/ways.h"
+#include "expert/achievers.h"
 
 #include <algorithm>
 #include <array>
@@ -11,29 +11,30 @@ namespace {
 
 /// What a held tool does to an object, and pouring; the other ways come from the tables of actions and treatments.
 constexpr std::array kByHand{
-    StateWay{Predicate::Empty, Way::ToolOnHeld, ActionType::PourTo, "", Treatment::Drains},
-    StateWay{Predicate::Sliced, Way::HeldToolOn, ActionType::Slice, "", Treatment::Slices},
-    StateWay{Predicate::Clean, Way::HeldToolOn, ActionType::Wipe, "", Treatment::Wipes},
-    StateWay{Predicate::Filled, Way::HeldToolOn, ActionType::PourTo, "", Treatment::Fills},
-    StateWay{Predicate::Covered, Way::HeldToolOn, ActionType::SpreadTo, "", Treatment::Dispenses},
+    Achiever{Predicate::Empty, AchieverKind::ToolOnHeld, ActionType::PourTo, "", Treatment::Drains},
+    Achiever{Predicate::Sliced, AchieverKind::HeldToolOn, ActionType::Slice, "", Treatment::Slices},
+    Achiever{Predicate::Clean, AchieverKind::HeldToolOn, ActionType::Wipe, "", Treatment::Wipes},
+    Achiever{Predicate::Filled, AchieverKind::HeldToolOn, ActionType::PourTo, "", Treatment::Fills},
+    Achiever{Predicate::Covered, AchieverKind::HeldToolOn, ActionType::SpreadTo, "", Treatment::Dispenses},
 };
-constexpr StateWay kFromVessel{Predicate::Filled, Way::FromVessel, ActionType::PourTo, "fillable"};
+constexpr Achiever kFromVessel{Predicate::Filled, AchieverKind::FromVessel, ActionType::PourTo, "fillable"};
 
 /// All ways, for each state the best first.
-const std::vector<StateWay>& all_ways() {
+const std::vector<Achiever>& all_achievers() {
   static const auto ways = [] {
-    std::vector<StateWay> all;
+    std::vector<Achiever> all;
     for (const ActionInfo& action : action_table()) {
       if (action.changes.empty()) continue;
-      all.push_back({action.changes.front().state, Way::Direct, action.type, affordance_for(action)});
+      all.push_back({action.changes.front().state, AchieverKind::Direct, action.type, affordance_for(action)});
     }
     for (const TreatmentInfo& row : all_treatments()) {
-      if (row.treats) all.push_back({row.states.front(), Way::ToolOnHeld, *row.treats, "", row.treatment});
+      if (row.treats) all.push_back({row.states.front(), AchieverKind::ToolOnHeld, *row.treats, "", row.treatment});
     }
     all.insert(all.end(), kByHand.begin(), kByHand.end());
     for (const TreatmentInfo& row : all_treatments()) {
       const bool appliance = row.treats && info(*row.treats).group == ActionClass::Composite;
-      if (appliance) all.push_back({row.states.front(), Way::Appliance, ActionType::PlaceIn, "", row.treatment});
+      if (appliance)
+        all.push_back({row.states.front(), AchieverKind::Appliance, ActionType::PlaceIn, "", row.treatment});
     }
     all.push_back(kFromVessel);
     return all;
@@ -42,7 +43,7 @@ const std::vector<StateWay>& all_ways() {
 }
 
 /// What covers a thing comes off, whatever it is.
-constexpr StateWay kWipeOff{Predicate::Covered, Way::HeldToolOn, ActionType::Wipe, "", Treatment::Wipes};
+constexpr Achiever kWipeOff{Predicate::Covered, AchieverKind::HeldToolOn, ActionType::Wipe, "", Treatment::Wipes};
 
 /// Something that can be poured from is filled so already, or can be.
 bool some_vessel(const Literal& literal, const Situation& situation) {
@@ -51,10 +52,10 @@ bool some_vessel(const Literal& literal, const Situation& situation) {
     if (&node == situation.node(literal.subject) || !node.movable) return false;
     if (!situation.knowledge->has(node.category, "fillable")) return false;
     if (node.states.has({Predicate::Filled, literal.symbol})) return true;
-    const auto ways = ways_to(Predicate::Filled, situation.profile);
-    return std::any_of(ways.begin(), ways.end(), [&](const StateWay& way) {
-      return way.way != Way::FromVessel &&
-             !rules_for(way, node.category, literal.symbol, situation.places(), *situation.knowledge).empty();
+    const auto ways = achievers_of(Predicate::Filled, situation.profile);
+    return std::any_of(ways.begin(), ways.end(), [&](const Achiever& achiever) {
+      return achiever.kind != AchieverKind::FromVessel &&
+             !rules_for(achiever, node.category, literal.symbol, situation.places(), *situation.knowledge).empty();
     });
   });
 }
@@ -63,36 +64,36 @@ bool state_achievable(const Literal& literal, const Situation& situation) {
   const Node* node = situation.node(literal.subject);
   if (node == nullptr) return false;
   const std::string& category = situation.entity(literal.subject).category;
-  for (const StateWay& way : ways_to(literal.predicate, situation.profile)) {
-    if (way.way == Way::Direct) {
-      if (situation.knowledge->has(category, way.affordance)) return true;
+  for (const Achiever& achiever : achievers_of(literal.predicate, situation.profile)) {
+    if (achiever.kind == AchieverKind::Direct) {
+      if (situation.knowledge->has(category, achiever.affordance)) return true;
       continue;
     }
-    if (way.way == Way::FromVessel) {
-      if (situation.knowledge->has(category, way.affordance) && some_vessel(literal, situation)) return true;
+    if (achiever.kind == AchieverKind::FromVessel) {
+      if (situation.knowledge->has(category, achiever.affordance) && some_vessel(literal, situation)) return true;
       continue;
     }
-    const bool in_hand = way.way == Way::ToolOnHeld || way.way == Way::Appliance;
+    const bool in_hand = achiever.kind == AchieverKind::ToolOnHeld || achiever.kind == AchieverKind::Appliance;
     if (in_hand && !node->movable) continue;
-    if (!rules_for(way, category, literal.symbol, situation.places(), *situation.knowledge).empty()) return true;
+    if (!rules_for(achiever, category, literal.symbol, situation.places(), *situation.knowledge).empty()) return true;
   }
   return false;
 }
 
 }  // namespace
 
-std::vector<StateWay> ways_to(Predicate predicate, const Profile& profile) {
-  std::vector<StateWay> ways;
-  for (const StateWay& way : all_ways()) {
-    if (way.predicate == predicate && profile.offers(way.action)) ways.push_back(way);
+std::vector<Achiever> achievers_of(Predicate predicate, const Profile& profile) {
+  std::vector<Achiever> ways;
+  for (const Achiever& achiever : all_achievers()) {
+    if (achiever.predicate == predicate && profile.offers(achiever.action)) ways.push_back(achiever);
   }
   return ways;
 }
 
-std::vector<const Effect*> rules_for(const StateWay& way, std::string_view category, std::string_view symbol,
+std::vector<const Effect*> rules_for(const Achiever& achiever, std::string_view category, std::string_view symbol,
                                      const NodeIndex& places, const Knowledge& knowledge) {
   std::vector<const Effect*> rules;
-  for (const Effect* effect : knowledge.effects_on(category, *way.treatment)) {
+  for (const Effect* effect : knowledge.effects_on(category, *achiever.treatment)) {
     if (!symbol.empty() && symbol != "any" && effect->gives != symbol) continue;
     if (!places.of(effect->tool).empty()) rules.push_back(effect);
   }
@@ -114,8 +115,8 @@ bool is_placement(Predicate predicate) {
 }
 
 bool changes_in_hand(Predicate predicate) {
-  return std::any_of(all_ways().begin(), all_ways().end(), [predicate](const StateWay& way) {
-    return way.predicate == predicate && way.way == Way::ToolOnHeld;
+  return std::any_of(all_achievers().begin(), all_achievers().end(), [predicate](const Achiever& achiever) {
+    return achiever.predicate == predicate && achiever.kind == AchieverKind::ToolOnHeld;
   });
 }
 

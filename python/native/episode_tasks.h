@@ -10,7 +10,7 @@
 namespace unietp::python {
 
 /// Where the tasks of episodes come from: a data set, or new ones without end. Thread-safe.
-struct TaskSupply {
+struct EpisodeTasks {
   std::variant<TaskSource, Procedural> from;
 
   /// The task of an episode, counted from 0. Of a data set without a seed: in the order of the file, again and again;

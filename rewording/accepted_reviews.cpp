@@ -1,4 +1,4 @@
-#include "rewording/review_rulings.h"
+#include "rewording/accepted_reviews.h"
 
 #include <functional>
 #include <set>
@@ -16,7 +16,7 @@ namespace {
 /// Decides on each review; the texts of a home stay different.
 class Judge {
  public:
-  explicit Judge(const RulingContext& context) : context_(context) {}
+  explicit Judge(const ReviewContext& context) : context_(context) {}
 
   /// Two passes over the tasks: which homes are edited is known after the first.
   Result<Done> read(const std::vector<Review>& reviews) {
@@ -37,8 +37,8 @@ class Judge {
     });
   }
 
-  Result<Rulings> rulings(const std::vector<Review>& reviews, ApplyReport& report) {
-    Rulings rulings;
+  Result<AcceptedReviews> rulings(const std::vector<Review>& reviews, ApplyReport& report) {
+    AcceptedReviews rulings;
     for (const Review& review : reviews) {
       const auto refuse = [&](std::string why) { report.refused.emplace_back(review.task, std::move(why)); };
       const auto found = tasks_.find(review.task);
@@ -56,7 +56,7 @@ class Judge {
         refuse("its text has changed: \"" + now + "\"");
         continue;
       }
-      Ruling ruling{&review, {}};
+      AcceptedReview ruling{&review, {}};
       if (review.judgement == Judgement::Edit && !in_force) {
         auto text = rewritten(task, now, review.text, refuse);
         if (!text) return text.error();
@@ -91,14 +91,15 @@ class Judge {
     return std::optional(checked.instruction);
   }
 
-  const RulingContext& context_;
+  const ReviewContext& context_;
   std::map<std::string, WordedTask> tasks_;  // that have a review, by id
   HomeTexts texts_;                          // of the homes in which one is to be edited
 };
 
 }  // namespace
 
-Result<Rulings> rule_on(const std::vector<Review>& reviews, const RulingContext& context, ApplyReport& report) {
+Result<AcceptedReviews> accept_reviews(const std::vector<Review>& reviews, const ReviewContext& context,
+                                       ApplyReport& report) {
   Judge judge(context);
   if (auto read = judge.read(reviews); !read) return read.error();
   return judge.rulings(reviews, report);

@@ -1,4 +1,4 @@
-#include "environment/told.h"
+#include "environment/agent_information.h"
 
 #include <unordered_map>
 #include <utility>

@@ -8,8 +8,8 @@
 
 namespace unietp {
 
-/// One task of a data set with all that belongs to it, to be spoilt.
-struct SpoiltTask {
+/// One task of a data set with all that belongs to it, to be damaged.
+struct DamagedTask {
   nlohmann::ordered_json task, demonstration, home, scene;  // its line, its line in M1, its home and its start
   std::string task_line;                                    // written in place of `task` when not empty
   bool without_demonstration = false;
@@ -24,11 +24,11 @@ struct SpoiltTask {
   std::string category_of(const std::string& id) const;
 };
 
-/// A way to spoil a task and what must be said of it.
+/// A way to damage a task and what must be said of it.
 struct Corruption {
   const char* name;
-  const char* kind;            // of a problem that must be told
-  bool (*spoil)(SpoiltTask&);  // false when the task has nothing that could be spoilt this way
+  const char* kind;              // of a problem that must be told
+  bool (*damage)(DamagedTask&);  // false when the task has nothing that could be damaged this way
 };
 extern const std::vector<Corruption> kCorruptions;
 

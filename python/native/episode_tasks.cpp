@@ -1,4 +1,4 @@
-#include "python/native/task_supply.h"
+#include "python/native/episode_tasks.h"
 
 #include "core/limits.h"
 #include "core/rng.h"
@@ -19,7 +19,7 @@ Result<SharedTask> task_from(const Procedural& procedural, std::optional<std::ui
 
 }  // namespace
 
-Result<SharedTask> TaskSupply::task_of_episode(std::optional<std::uint64_t> seed, std::uint64_t episode) const {
+Result<SharedTask> EpisodeTasks::task_of_episode(std::optional<std::uint64_t> seed, std::uint64_t episode) const {
   return std::visit([&](const auto& tasks) { return task_from(tasks, seed, episode); }, from);
 }
 

@@ -1,4 +1,4 @@
-#include "expert/footing.h"
+#include "expert/repositioning.h"
 
 #include <algorithm>
 #include <array>
@@ -62,7 +62,7 @@ std::vector<std::string> beginnings(const World& world, const std::string& about
 
 class FootingSearch {
  public:
-  FootingSearch(const World& world, const Action& action, const std::string& about, const Aim& aim)
+  FootingSearch(const World& world, const Action& action, const std::string& about, const Postcondition& aim)
       : world_(world), action_(action), about_(about), aim_(aim) {
     if (const Node* object = world.find(about)) object_ = *object;
     places_ = action.type == ActionType::PlaceOn || action.type == ActionType::PlaceIn;
@@ -140,7 +140,7 @@ class FootingSearch {
   const Action& action_;
   const std::string& about_;
   std::optional<Node> object_;  // that it is
-  const Aim& aim_;
+  const Postcondition& aim_;
   bool places_ = false;
   std::vector<Pose> spots_;
   int trials_ = 0;
@@ -149,8 +149,8 @@ class FootingSearch {
 
 }  // namespace
 
-std::optional<std::vector<Action>> way_to_do(const World& world, const Action& action, const std::string& about,
-                                             const Aim& aim) {
+std::optional<std::vector<Action>> steps_to_act(const World& world, const Action& action, const std::string& about,
+                                                const Postcondition& aim) {
   if (world.holds(about)) return std::nullopt;
   return FootingSearch(world, action, about, aim).run();
 }

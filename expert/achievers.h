@@ -12,7 +12,7 @@
 namespace unietp {
 
 /// How an action brings a state about.
-enum class Way {
+enum class AchieverKind {
   Direct,      // done to the object itself: open(x)
   ToolOnHeld,  // done with a tool or place to the object in hand: wash_with(sink)
   HeldToolOn,  // done to the object with a tool in hand: slice(x) with a knife
@@ -21,19 +21,19 @@ enum class Way {
 };
 
 /// One way to bring a state about.
-struct StateWay {
+struct Achiever {
   Predicate predicate;
-  Way way;
+  AchieverKind kind;
   ActionType action;
   std::string_view affordance;              // Direct: of the object; FromVessel: of the vessel
   std::optional<Treatment> treatment = {};  // the others: what the tool must do to the object
 };
 
 /// The ways to a state that the simulator offers, best first.
-std::vector<StateWay> ways_to(Predicate predicate, const Profile& profile);
+std::vector<Achiever> achievers_of(Predicate predicate, const Profile& profile);
 
 /// Effects in the knowledge base by which a tool that the scene has does this to the category (and leaves this symbol).
-std::vector<const Effect*> rules_for(const StateWay& way, std::string_view category, std::string_view symbol,
+std::vector<const Effect*> rules_for(const Achiever& achiever, std::string_view category, std::string_view symbol,
                                      const NodeIndex& places, const Knowledge& knowledge);
 
 /// A relation of an object to a place: on, inside, on the floor, in a room, next to, attached.

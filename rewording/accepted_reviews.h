@@ -15,11 +15,11 @@
 namespace unietp {
 
 /// What will stand in place of a task.
-struct Ruling {
+struct AcceptedReview {
   const Review* review = nullptr;        // that is taken over
   std::optional<Instruction> rewritten;  // of an edit
 };
-using Rulings = std::map<std::string, Ruling>;  // by task; those whose review is taken over
+using AcceptedReviews = std::map<std::string, AcceptedReview>;  // by task; those whose review is taken over
 
 /// What became of the verdicts.
 struct ApplyReport {
@@ -28,7 +28,7 @@ struct ApplyReport {
 };
 
 /// What the verdicts are about, and what they are held against.
-struct RulingContext {
+struct ReviewContext {
   const std::filesystem::path& folder;
   const Resources& resources;
   bool accept_unchecked = false;                                 // take edits whose text does not pass the checks, too
@@ -37,6 +37,7 @@ struct RulingContext {
 
 /// The rulings on the tasks of a folder. What is not taken over is counted and named in the report. In memory are the
 /// tasks that have a review, and the texts of the homes in which one is to be edited. Errors: those of reading.
-Result<Rulings> rule_on(const std::vector<Review>& reviews, const RulingContext& context, ApplyReport& report);
+Result<AcceptedReviews> accept_reviews(const std::vector<Review>& reviews, const ReviewContext& context,
+                                       ApplyReport& report);
 
 }  // namespace unietp

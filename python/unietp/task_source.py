@@ -7,10 +7,10 @@ from unietp._native import Error
 
 
 @dataclass
-class Supply:
+class TaskSource:
     """The tasks of a data set, one of them, or new ones without end. Shared by environments of all threads."""
 
-    native: _native.TaskSupply
+    native: _native.EpisodeTasks
     catalog: _native.Catalog
     extended: bool  #: agents have the profile `wide`
     single: int | None = None  #: position of the one task
@@ -20,9 +20,9 @@ class Supply:
         if not self.listing:
             self.listing = self.native.listing()
 
-    def only(self, id: str) -> "Supply":
+    def only(self, id: str) -> "TaskSource":
         """The same with one task. Raises Error when no task has the id."""
-        return Supply(self.native, self.catalog, self.extended, self.position(id), self.listing)
+        return TaskSource(self.native, self.catalog, self.extended, self.position(id), self.listing)
 
     def position(self, id: str) -> int:
         """Where a task stands in the data set."""
