@@ -6,7 +6,7 @@
 
 namespace unietp {
 
-/// The committed tables (data/akb), compiled. ctest starts a process for each suite, so the compiled file is kept in the
+/// The committed tables (data/akb), compiled. ctest starts a process per suite, so the compiled file is kept in the
 /// build folder and shared by all processes of one build of a test program. Read only. Throws when the tables are bad.
 const std::filesystem::path& committed_knowledge_file();
 
