@@ -30,7 +30,8 @@ std::vector<Style> open_styles(const TaskSlot& slot, const std::vector<std::vect
   return open;
 }
 
-/// Each slot takes the style dealt least often for its share; among equals the one that fits the fewest slots, then a random one.
+/// Each slot takes the style dealt least often for its share; among equals the one that fits the fewest slots, then a
+/// random one.
 void deal_one_each(std::vector<TaskSlot>& slots, const std::vector<std::vector<Style>>& styles, Rng rng) {
   Counts dealt{}, fitted{};
   std::vector<std::vector<Style>> open;
@@ -40,7 +41,9 @@ void deal_one_each(std::vector<TaskSlot>& slots, const std::vector<std::vector<S
   }
   for (std::size_t i = 0; i < slots.size(); ++i) {
     std::vector<Style> least;
-    const auto rank = [&](Style style) { return std::pair(dealt[position(style)] / share_of(style), fitted[position(style)]); };
+    const auto rank = [&](Style style) {
+      return std::pair(dealt[position(style)] / share_of(style), fitted[position(style)]);
+    };
     for (const Style style : open[i]) {
       if (!least.empty() && rank(style) > rank(least.front())) continue;
       if (!least.empty() && rank(style) < rank(least.front())) least.clear();
