@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "generator/domain_constraints.h"
 #include "generator/propose.h"
 #include "generator/specification.h"
 #include "small_home.h"
