@@ -6,6 +6,7 @@
 #include "core/text.h"
 #include "sense/wants.h"
 #include "templates/init_shape.h"
+#include "templates/purpose_reading.h"
 #include "templates/purposes.h"
 
 namespace unietp {
@@ -87,16 +88,7 @@ std::vector<std::string> doubtful_purpose(const Template& source) {
 }
 
 std::string need_in_words(const Need& need) {
-  const auto name = [](const std::string& thing) { return thing == "agent" ? "the agent" : "<" + thing + ">"; };
-  auto word = replace_all(std::string(info(need.predicate).name), "_", " ");
-  if (need.predicate == Predicate::InRoom) word = "in";
-  if (need.predicate == Predicate::OnFloor) word = "on the floor of";
-  if (need.predicate == Predicate::Nearest) word = "nearest to";
-  std::string text = name(need.thing) + (need.positive ? " is " : " is not ") + word;
-  if (need.other.empty()) return text;
-  const auto kinds = info(need.predicate).arguments;
-  const bool with = need.predicate == Predicate::Filled || need.predicate == Predicate::Covered;
-  return text + (with ? " with " : " ") + (kinds.back() == ArgumentKind::Symbol ? need.other : name(need.other));
+  return need_in_words(need, [](const std::string& placeholder) { return "<" + placeholder + ">"; });
 }
 
 }  // namespace unietp

@@ -44,6 +44,7 @@ TaskEntry task_entry(const Task& task, const std::string& changes) {
   entry.edits = task.episode.edits;
   entry.changes = changes;
   entry.instruction = task.instruction;
+  entry.purpose = task.purpose;
   entry.sense = task.sense;
   entry.run_seed = task.seed;
   entry.slot = task.slot;

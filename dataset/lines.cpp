@@ -118,6 +118,8 @@ std::string line_of(const TaskEntry& task) {
   object.field("goal", {{"text", task.goal_text}, {"tree", formula_to_json(task.goal)}});
   object.raw("start", start_text(task));
   object.field("instruction", instruction_json(task.instruction));
+  if (!task.purpose.name.empty())
+    object.field("purpose", {{"name", task.purpose.name}, {"because", task.purpose.because}});
   object.field("sense", sense_json(task.sense));
   object.field("expert", expert);
   object.field("seed", {{"run", task.run_seed}, {"slot", task.slot}, {"attempt", task.attempt}});

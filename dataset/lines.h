@@ -11,6 +11,7 @@
 #include "annotator/instruction.h"
 #include "core/file_writer.h"
 #include "core/result.h"
+#include "dataset/task_purpose.h"
 #include "logic/formula.h"
 #include "scene/action.h"
 #include "scene/command.h"
@@ -33,6 +34,7 @@ struct TaskEntry {
   std::vector<std::string> start_constraints, edits;
   std::string changes;  // JSON of the Delta that makes the start of the home (scene/scene_json.h)
   Instruction instruction;
+  TaskPurpose purpose;
   TaskSense sense;
   struct Count {
     Mode mode = Mode::M1;

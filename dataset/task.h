@@ -6,6 +6,7 @@
 
 #include "annotator/instruction.h"
 #include "dataset/balance.h"
+#include "dataset/task_purpose.h"
 #include "expert/demonstration.h"
 #include "generator/rejection.h"
 #include "grounding/episode.h"
@@ -20,6 +21,7 @@ struct Task {
   Demonstration demonstration;                // mode M1
   std::vector<Demonstration> in_other_modes;  // in the order of the configuration
   Instruction instruction;
+  TaskPurpose purpose;
   TaskSense sense;
   std::vector<Trait> traits;  // its values in the balanced dimensions
   std::uint64_t seed = 0;     // of the run

@@ -248,10 +248,12 @@ bool kind_holds(const DomainConstraint& constraint, const Binding& binding, cons
   return true;
 }
 
-/// Whether those that are bound share a kind.
+/// Whether those that are bound share a kind: one of those that the constraint lists, or, if it lists none, any.
 bool same_kind(const DomainConstraint& constraint, const Binding& binding, const Knowledge& knowledge) {
   std::optional<std::vector<std::string>> common;
-  for (const auto& argument : constraint.arguments) {
+  const auto placeholders = placeholders_of(constraint).size();
+  const auto listed = std::span(constraint.arguments).subspan(placeholders);
+  for (const auto& argument : std::span(constraint.arguments).first(placeholders)) {
     for (const auto& name : meant_by(argument, binding, knowledge)) {
       const auto* category = knowledge.find(name);
       if (category == nullptr) return false;
@@ -264,7 +266,9 @@ bool same_kind(const DomainConstraint& constraint, const Binding& binding, const
       });
     }
   }
-  return !common || std::any_of(common->begin(), common->end(), is_narrow);
+  return !common || std::any_of(common->begin(), common->end(), [&](const std::string& kind) {
+    return listed.empty() ? is_narrow(kind) : std::find(listed.begin(), listed.end(), kind) != listed.end();
+  });
 }
 
 bool is_complete(const DomainConstraint& constraint, const Binding& binding) {

@@ -41,12 +41,39 @@ bool met(const Formula& start, const Knowledge& knowledge, const Trace& now) {
                      [&](const Domain::Member& member) { return knowledge.find(member.category) != nullptr; });
 }
 
+/// Whether no thing can be counted by both: one asks for what the other rules out.
+bool exclude_one_another(const Formula& a, const Formula& b) {
+  if (a.domain != b.domain) return false;
+  const auto of_b = start_literals(b);
+  for (StartLiteral literal : start_literals(a)) {
+    literal.positive = !literal.positive;
+    if (std::find(of_b.begin(), of_b.end(), literal) != of_b.end()) return true;
+  }
+  return false;
+}
+
+/// Furniture of which there is some, but too little for two constraints of which none meets both: "the table made of
+/// glass" takes two tables.
+bool enough_for_both(const Formula& a, const Formula& b, const Knowledge& knowledge, const Trace& now) {
+  const int asked = demanded_count(a) + demanded_count(b);
+  if (asked < 2 || a.domain.members.empty() || !is_fixed(a.domain, knowledge) || !exclude_one_another(a, b))
+    return true;
+  const auto there = static_cast<int>(members_of(a.domain, a.variable, now).size());
+  return there == 0 || there >= asked;
+}
+
 }  // namespace
 
 const Formula* misfit(const std::vector<Formula>& init, const Knowledge& knowledge, const Trace& now) {
   const auto found =
       std::find_if(init.begin(), init.end(), [&](const Formula& start) { return !met(start, knowledge, now); });
-  return found == init.end() ? nullptr : &*found;
+  if (found != init.end()) return &*found;
+  for (auto a = init.begin(); a != init.end(); ++a) {
+    for (auto b = a + 1; b != init.end(); ++b) {
+      if (!enough_for_both(*a, *b, knowledge, now)) return &*b;
+    }
+  }
+  return nullptr;
 }
 
 RejectionReason lack_of(const std::string& name, const Knowledge& knowledge) {

@@ -89,6 +89,7 @@ std::optional<Specification> refine_by_phrase(const Specification& plain, const 
                     [&](const Alias* alias) { return !alias->text.starts_with(std::string(info(*state).name) + " "); });
     rng.shuffle(phrases);
     for (const auto& serving : choices_first(phrases, plain, category, knowledge)) {
+      if (style == Style::Function && serving.size() < 2) break;  // a use that only one thing serves is another name
       auto widened = substituted(plain, category, serving);
       widened.split = Split::Linguistic;
       widened.style = style;

@@ -39,6 +39,13 @@ void read_instruction(JsonReader& reader, const JsonAt& at, TaskRecord& task) {
   fields.finish();
 }
 
+void read_purpose(JsonReader& reader, const JsonAt& at, TaskRecord& task) {
+  JsonFields fields(reader, at);
+  if (const auto f = fields.required("name")) task.purpose = reader.plain_name(*f);
+  if (const auto f = fields.required("because")) task.because = reader.texts(*f);
+  fields.finish();
+}
+
 void read_sense(JsonReader& reader, const JsonAt& at, TaskRecord& task) {
   JsonFields fields(reader, at);
   if (const auto f = fields.required("grade")) task.grade = reader.text(*f);
@@ -104,6 +111,7 @@ Result<TaskRecord> read_task(std::string_view where, int line, std::string_view 
     if (const auto f = fields.required("goal")) read_goal(reader, *f, task);
     if (const auto f = fields.required("start")) read_start(reader, *f, task);
     if (const auto f = fields.required("instruction")) read_instruction(reader, *f, task);
+    if (const auto f = fields.optional("purpose")) read_purpose(reader, *f, task);
     if (const auto f = fields.required("sense")) read_sense(reader, *f, task);
     if (const auto f = fields.required("expert")) read_expert(reader, *f, task);
     if (const auto f = fields.required("seed")) read_seed(reader, *f, task);

@@ -26,9 +26,11 @@ struct TaskRecord {
   std::vector<std::string> start_constraints, edits;
   Delta changes;  // of the home, which make the start
   std::string instruction, writer, style;
-  std::vector<std::string> checks;  // names of the checks that the text passed
-  std::string fallback;             // why the grammar wrote the text instead of a model; "" otherwise
-  std::string grade;                // of its sense
+  std::vector<std::string> checks;   // names of the checks that the text passed
+  std::string fallback;              // why the grammar wrote the text instead of a model; "" otherwise
+  std::string purpose;               // what it is for in a home; "" where its template does not say
+  std::vector<std::string> because;  // what in its start makes it needed
+  std::string grade;                 // of its sense
   struct SensePart {
     std::string part, grade, why;
     bool operator==(const SensePart&) const = default;

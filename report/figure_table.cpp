@@ -276,7 +276,11 @@ FigureTable balance(Sets sets) {
 }  // namespace
 
 std::vector<FigureTable> tables_of(Sets sets) {
-  std::vector<FigureTable> all{overview(sets), by_simulator_and_split(sets), instructions(sets)};
+  std::vector<FigureTable> all{overview(sets), by_simulator_and_split(sets)};
+  all.push_back(tally_table(
+      table("purposes", "Purposes", "What the tasks are for.", "purpose", sets, "tasks"), sets,
+      [](const auto& set) { return set.purposes; }, true));
+  all.push_back(instructions(sets));
   all.push_back(tally_table(
       table("words", "Most frequent words", "Without function words such as \"a\" and \"the\".", "word", sets, "times"),
       sets, [](const auto& set) { return set.words; }, false));

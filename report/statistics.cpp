@@ -59,6 +59,7 @@ class Counter {
     ++statistics_.tasks;
     ++statistics_.by_simulator_and_split[{task.simulator, task.split}];
     ++statistics_.templates[task.template_name];
+    if (!task.purpose.empty()) ++statistics_.purposes[task.purpose];
     ++statistics_.styles[task.style];
     for (const auto& name : task.phenomena) ++statistics_.phenomena[name];
     ++statistics_.writers[task.writer];

@@ -55,6 +55,7 @@ struct DatasetStatistics {
   int tasks = 0;
   std::map<std::pair<std::string, std::string>, int> by_simulator_and_split;
   Tally templates, styles, phenomena, writers;
+  Tally purposes;               // those of tasks that have one
   Histogram instruction_words;  // words of an instruction
   Tally words;                  // occurrences, lower case; function words (a, the, of, …) are left out
   int distinct_words = 0;       // with function words

@@ -49,6 +49,7 @@ Json to_json(const DatasetStatistics& set) {
           {"candidates", set.candidates()},
           {"by_simulator_and_split", std::move(pairs)},
           {"templates", to_json(set.templates)},
+          {"purposes", to_json(set.purposes)},
           {"instructions",
            {{"styles", to_json(set.styles)},
             {"phenomena", to_json(set.phenomena)},

@@ -56,8 +56,12 @@ Json card_json(const ShownTask& shown, const std::string& png) {
     for (const auto& step : plan.steps) steps.push_back({step.text, step.success ? 1 : 0, step.feedback});
     plans.push_back({{"mode", name_of(plan.mode)}, {"steps", std::move(steps)}});
   }
+  Json sense = Json::array();
+  for (const auto& part : task.sense) sense.push_back({part.part, part.grade, part.why});
   return {{"style", task.style}, {"goal", std::move(goal)},   {"formula", task.goal_text},
-          {"edits", task.edits}, {"plans", std::move(plans)}, {"view", base64(png)}};
+          {"edits", task.edits}, {"purpose", task.purpose},   {"because", task.because},
+          {"grade", task.grade}, {"sense", std::move(sense)}, {"plans", std::move(plans)},
+          {"view", base64(png)}};
 }
 
 }  // namespace unietp

@@ -64,6 +64,7 @@ TaskFigures figures_of(const FinishedTask& task) {
                       record.split,
                       record.template_name,
                       record.layout,
+                      record.purpose,
                       record.style,
                       record.phenomena,
                       record.writer,

@@ -19,7 +19,7 @@ struct TaskFigures {
     int steps = 0, failed = 0;
     Tally actions;
   };
-  std::string id, simulator, split, template_name, layout, style;
+  std::string id, simulator, split, template_name, layout, purpose, style;
   std::vector<std::string> phenomena;
   std::string writer;
   std::vector<std::string> words;       // of the instruction, lower case, in order

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/text.h"
+#include "dataset/task_purpose.h"
 #include "generator/propose.h"
 #include "scene/json_parse.h"
 #include "validator/conjuncts.h"
@@ -76,6 +77,7 @@ class TaskAgainstTemplate {
     if (!refinement) found("has the unknown refinement " + in_quotes(task_.refinement));
     if (!split) found("has the unknown split " + in_quotes(task_.split));
     if (!refinement || !split) return std::move(problems_);
+    compare_purpose(*simulator);
     if (*refinement == Referring::EachItsOwn) {  // its binding is of one category, which the template need not allow
       if (auto fault = refinement_fault(*refinement, tests_of(goal_)); !fault.empty()) found(std::move(fault));
       if (*split != Split::InstanceGrounding) found("has the split " + task_.split + ", unlike its refinement");
@@ -110,6 +112,13 @@ class TaskAgainstTemplate {
     if (constraints != task_.start_constraints)
       found("its template gives other start constraints: " + join(constraints, ", "));
     compare_names(plain.style, plain.refinement);
+  }
+
+  void compare_purpose(Simulator simulator) {
+    const auto purpose = purpose_of(source_, task_.bindings, resources_.backend(simulator).knowledge);
+    if (purpose == TaskPurpose{task_.purpose, task_.because}) return;
+    found("its template gives the purpose " + in_quotes(purpose.name) +
+          (purpose.because.empty() ? "" : " because " + join(purpose.because, ", ")));
   }
 
   void compare_names(Style style, Referring refinement) {

@@ -31,6 +31,7 @@ TaskEntry written_again(const TaskRecord& task, const Instruction& instruction) 
   entry.edits = task.edits;
   entry.changes = delta_to_json(task.changes);
   entry.instruction = instruction;
+  entry.purpose = {task.purpose, task.because};
   entry.sense.grade = grade_named(task.grade).value_or(Grade::Senseless);
   for (const auto& part : task.sense)
     entry.sense.parts.push_back({part.part, {grade_named(part.grade).value_or(Grade::Senseless), 0, {}, part.why}});

@@ -164,7 +164,8 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
       ground(specification, layout->home, backend.knowledge, backend.profile, grounding, root.fork("grounding", item));
   if (auto* why = std::get_if<Rejection>(&grounded)) return rejected(std::move(*why));
   auto& [episode, known] = std::get<Grounded>(grounded);
-  Task task{task_id(slot), std::move(episode), {}, {}, {}, {}, {}, configuration.seed, slot.index, plan.attempt};
+  Task task{task_id(slot), std::move(episode), {}, {}, {}, {}, {}, {}, configuration.seed, slot.index, plan.attempt};
+  task.purpose = purpose_of(source, task.episode.specification.binding, backend.knowledge);
   task.sense = sense_of(task.episode.specification);
   task.episode.start.id = task.id;  // the id under which it is written
 

@@ -14,6 +14,10 @@ using Counts = std::array<int, kStyleCount>;
 
 std::size_t position(Style style) { return static_cast<std::size_t>(style); }
 
+/// How many tasks of a style there are for one of another. Goals by function and by kind have many words to be said in,
+/// which more tasks show.
+int share_of(Style style) { return style == Style::Function || style == Style::Hypernym ? 2 : 1; }
+
 /// The styles that some template of the slot fits and that the slot does not have yet.
 std::vector<Style> open_styles(const TaskSlot& slot, const std::vector<std::vector<Style>>& styles) {
   std::array<bool, kStyleCount> fitting{};
@@ -26,7 +30,8 @@ std::vector<Style> open_styles(const TaskSlot& slot, const std::vector<std::vect
   return open;
 }
 
-/// Each slot takes the style dealt least often; among equals the one that fits the fewest slots, then a random one.
+/// Each slot takes the style dealt least often for its share; among equals the one that fits the fewest slots, then a
+/// random one.
 void deal_one_each(std::vector<TaskSlot>& slots, const std::vector<std::vector<Style>>& styles, Rng rng) {
   Counts dealt{}, fitted{};
   std::vector<std::vector<Style>> open;
@@ -36,7 +41,9 @@ void deal_one_each(std::vector<TaskSlot>& slots, const std::vector<std::vector<S
   }
   for (std::size_t i = 0; i < slots.size(); ++i) {
     std::vector<Style> least;
-    const auto rank = [&](Style style) { return std::pair(dealt[position(style)], fitted[position(style)]); };
+    const auto rank = [&](Style style) {
+      return std::pair(dealt[position(style)] / share_of(style), fitted[position(style)]);
+    };
     for (const Style style : open[i]) {
       if (!least.empty() && rank(style) > rank(least.front())) continue;
       if (!least.empty() && rank(style) < rank(least.front())) least.clear();

@@ -92,7 +92,8 @@ constexpr auto kKinds = [] {
        {},
        {},
        "(same-kind A B ...)",
-       "these are of a common kind, such as tableware, garments or food"},
+       "these are of a common kind, such as tableware, garments or food; (same-kind A B fruit drink): all are fruit, or "
+       "all are drinks"},
   }};
 }();
 
@@ -148,6 +149,7 @@ std::vector<PlaceholderUse> placeholders_of(const DomainConstraint& constraint) 
         meaning == Effect && !argument.empty() && std::isupper(static_cast<unsigned char>(argument.front())) != 0;
     if (meaning != Distinct && meaning != SameKind && i >= 2 && !substance) break;
     if ((meaning == Words || meaning == OfKind) && i >= 1) break;
+    if (meaning == SameKind && std::isupper(static_cast<unsigned char>(argument.front())) == 0) break;  // a kind
     uses.push_back(placeholder_use(constraint.arguments[i]));
   }
   return uses;

@@ -317,8 +317,7 @@ class TemplateReader {
 
   static bool has_right_arguments(const ConstraintKind& kind, const std::vector<std::string>& arguments) {
     using enum ConstraintKind::Meaning;
-    const bool alike = kind.meaning == Distinct || kind.meaning == SameKind;
-    std::size_t places = alike ? arguments.size() : std::min<std::size_t>(2, arguments.size());
+    std::size_t places = kind.meaning == Distinct ? arguments.size() : std::min<std::size_t>(2, arguments.size());
     if (kind.meaning == Words || kind.meaning == OfKind) places = std::min<std::size_t>(1, places);
     for (std::size_t i = 0; i < places; ++i) {
       const auto use = placeholder_use(arguments[i]);
@@ -326,7 +325,13 @@ class TemplateReader {
     }
     if (kind.meaning == Sizes) return arguments.size() == 1;
     if (arguments.size() < 2) return false;
-    if (alike) return true;
+    if (kind.meaning == SameKind) {  // placeholders, then kinds
+      const auto is_placeholder = [](const auto& word) { return is_placeholder_name(placeholder_use(word).name); };
+      const auto kinds = std::find_if_not(arguments.begin(), arguments.end(), is_placeholder);
+      return std::none_of(kinds, arguments.end(), is_placeholder) &&
+             std::all_of(kinds, arguments.end(), [](const auto& word) { return is_plain_name(word); });
+    }
+    if (kind.meaning == Distinct) return true;
     if (kind.meaning == OfKind) {
       return std::all_of(arguments.begin() + 1, arguments.end(), [](const auto& word) { return is_plain_name(word); });
     }

@@ -1,6 +1,7 @@
 #include "templates/purpose_reading.h"
 
 #include <algorithm>
+#include <cctype>
 
 #include "core/text.h"
 #include "templates/init_shape.h"
@@ -130,6 +131,19 @@ std::string to_text(const Need& need) {
   if (!need.other.empty()) text += " " + need.other;
   text += ")";
   return need.positive ? text : "(not " + text + ")";
+}
+
+std::string need_in_words(const Need& need, const std::function<std::string(const std::string&)>& name_of) {
+  auto word = replace_all(std::string(info(need.predicate).name), "_", " ");
+  if (need.predicate == Predicate::InRoom) word = "in";
+  if (need.predicate == Predicate::OnFloor) word = "on the floor of";
+  if (need.predicate == Predicate::Nearest) word = "nearest to";
+  std::string text = need.thing == "agent" ? "the agent" : name_of(need.thing);
+  text += (need.positive ? " is " : " is not ") + word;
+  if (need.other.empty()) return text;
+  const bool with = need.predicate == Predicate::Filled || need.predicate == Predicate::Covered;
+  const bool placeholder = std::isupper(static_cast<unsigned char>(need.other.front())) != 0;
+  return text + (with ? " with " : " ") + (placeholder ? name_of(need.other) : need.other);
 }
 
 std::string to_text(const Purpose& purpose) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,5 +20,8 @@ std::vector<Error> check_purpose(const TemplateSource& source);
 std::string to_text(const Need& need);
 /// "cleaning (because (dirty A))": what stands in the section.
 std::string to_text(const Purpose& purpose);
+/// "plate is dirty", "cup is not on counter", where `name_of` says what placeholders are called; "the agent is not in
+/// kitchen".
+std::string need_in_words(const Need& need, const std::function<std::string(const std::string&)>& name_of);
 
 }  // namespace unietp

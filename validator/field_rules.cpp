@@ -20,6 +20,7 @@ constexpr std::string_view kReadBack = "read back: means the goal, has the style
 constexpr std::string_view kPerson = "a person's judgment";
 constexpr std::string_view kFormat = "the name of the format";
 constexpr std::string_view kGraded = "graded again from the goal and the tables of sense";
+constexpr std::string_view kPurpose = "from template and bindings";
 constexpr std::string_view kPlanned = "how the tasks were planned; homes, ids, candidates and counts must fit it";
 
 constexpr std::array kFieldRules{
@@ -46,6 +47,8 @@ constexpr std::array kFieldRules{
     FieldInfo{"task", "instruction.checks", Rule::Recomputed, "from the writer"},
     FieldInfo{"task", "instruction.why", Rule::Free,
               "there exactly where the grammar stands in for a model; its words"},
+    FieldInfo{"task", "purpose.name", Rule::Recomputed, kPurpose},
+    FieldInfo{"task", "purpose.because", Rule::Recomputed, kPurpose},
     FieldInfo{"task", "sense.grade", Rule::Recomputed, kGraded},
     FieldInfo{"task", "sense.parts[].part", Rule::Recomputed, kGraded},
     FieldInfo{"task", "sense.parts[].grade", Rule::Recomputed, kGraded},

@@ -43,6 +43,10 @@ function showTask(root, task, mode) {
     task.layout].filter(Boolean).map(text => element('li', { text })));
   part('goal').replaceChildren(...task.goal.map(([depth, text]) => element('li', { text, style: `--depth:${depth}` })));
   part('formula').textContent = task.formula;
+  part('purpose').textContent = task.purpose
+    ? `For ${task.purpose}${task.because.length ? ', because ' + task.because.join(' and ') : ''}.` : '';
+  part('sense').textContent = `Sense: ${task.grade}`
+    + (task.sense.length ? ` (${task.sense.map(([what, grade, why]) => `${what}: ${grade}, ${why}`).join('; ')}).` : '.');
   part('edits').textContent = task.edits.length ? 'Changes to the home for this task: ' + task.edits.join('; ') + '.' : '';
   const tabs = part('modes'), steps = part('plan');
   const shown = Math.max(0, task.plans.findIndex(plan => plan.mode === mode));

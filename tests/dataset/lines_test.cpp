@@ -39,6 +39,9 @@ TEST(Lines, ATaskFollowsItsSchema) {
   EXPECT_EQ(broken(line_of(task), "task.schema.json"), "");
   task.instruction = instruction("the model gave no answer");
   EXPECT_EQ(broken(line_of(task), "task.schema.json"), "");
+  task.purpose = {"preparing", {"refrigerator is closed"}};
+  EXPECT_EQ(broken(line_of(task), "task.schema.json"), "");
+  EXPECT_EQ(Json::parse(line_of(task))["purpose"]["because"], Json::array({"refrigerator is closed"}));
   task.split = "";
   EXPECT_NE(broken(line_of(task), "task.schema.json"), "");
 }

@@ -360,6 +360,16 @@ const std::vector<Corruption> kCorruptions{
        s.task["start"]["edits"].push_back("added Unicorn unicorn_1 on table_1");
        return true;
      }},
+    {"APurposeThatItsTemplateDoesNotGive", "template",
+     [](SpoiltTask& s) {
+       s.task["purpose"]["name"] = s.task["purpose"]["name"] == "leisure" ? "safety" : "leisure";
+       return true;
+     }},
+    {"AReasonThatItsTemplateDoesNotGive", "template",
+     [](SpoiltTask& s) {
+       s.task["purpose"]["because"].push_back("somebody likes it");
+       return true;
+     }},
     {"AGradeThatTheGoalDoesNotHave", "sense",
      [](DamagedTask& s) {
        s.task["sense"]["grade"] = s.task["sense"]["grade"] == "usual" ? "tolerable" : "usual";

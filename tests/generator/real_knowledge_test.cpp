@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "generator/domain_constraints.h"
 #include "generator/propose.h"
 #include "generator/specification.h"
 #include "small_home.h"
@@ -119,6 +120,21 @@ TEST(RealKnowledge, OffersReferringConstraintsForMostTemplates) {
     }
     EXPECT_GE(refined, 12) << name_of(simulator);
   }
+}
+
+TEST(RealKnowledge, KindsThatAreListedJoinOnlyThingsOfOneOfThem) {
+  const auto& knowledge = committed_knowledge(Simulator::Behavior);
+  const DomainConstraint any{ConstraintType::SameKind, {"A", "B"}, {}};
+  const DomainConstraint listed{ConstraintType::SameKind, {"A", "B", "fruit", "bread"}, {}};
+  const auto holds = [&](const DomainConstraint& constraint, const char* a, const char* b) {
+    return satisfies(constraint, {{"A", a}, {"B", b}}, knowledge);
+  };
+  EXPECT_TRUE(holds(listed, "apple", "pear"));
+  EXPECT_TRUE(holds(listed, "bagel", "toast"));
+  EXPECT_TRUE(holds(any, "apple", "bagel"));  // both are food
+  EXPECT_FALSE(holds(listed, "apple", "bagel"));
+  EXPECT_TRUE(holds(any, "plate", "bowl"));
+  EXPECT_FALSE(holds(listed, "plate", "bowl"));
 }
 
 }  // namespace

@@ -202,6 +202,22 @@ TEST(Misfit, IsWhatFurnitureAndRoomsLackNotWhatAnEditOfTheStartGives) {
   EXPECT_FALSE(fits("(count = 2 (?r - Kitchen) (and))", two)) << "no room is built";
 }
 
+TEST(Misfit, IsTooLittleFurnitureForTwoConstraintsThatNoneMeetsTogether) {
+  const auto knowledge = small_home(Simulator::Ai2thor);
+  const auto fits = [&](const std::vector<const char*>& starts, const std::vector<std::string>& home) {
+    std::vector<Formula> init;
+    for (const char* start : starts) init.push_back(*parse_formula("test", start, FormulaUse::State));
+    return misfit(init, knowledge, offer_with(home).now) == nullptr;
+  };
+  const std::vector<const char*> one_is_open = {"(count = 1 (?a - Fridge) (open ?a))",
+                                                "(count >= 1 (?a - Fridge) (not (open ?a)))"};
+  EXPECT_FALSE(fits(one_is_open, {"Fridge", "Mug"}));
+  EXPECT_TRUE(fits(one_is_open, {"Fridge", "Fridge"}));
+  EXPECT_TRUE(fits(one_is_open, {"Mug"})) << "what the home lacks altogether may be set up";
+  EXPECT_TRUE(fits({"(count = 1 (?a - Mug) (dirty ?a))", "(count >= 1 (?a - Mug) (not (dirty ?a)))"}, {"Mug"}));
+  EXPECT_TRUE(fits({"(count = 1 (?a - Fridge) (open ?a))", "(exists (?a - Fridge) (and))"}, {"Fridge"}));
+}
+
 TEST(RefineReferring, BothAndTwoOfAreAboutAsManyAsTheStartHas) {
   const auto knowledge = small_home(Simulator::Ai2thor);
   const auto all = made("wash-all", {{"A", "Mug"}, {"T", "Sink"}});

@@ -214,8 +214,12 @@ bool fits_by_scan(const Template& source, const Binding& binding, const Knowledg
         found = found || std::count(arguments.begin() + 1, arguments.end(), wider) > 0;
     } else if (kind == "same-kind") {
       for (const auto& wider : knowledge.find(category_of(arguments[0]))->kinds) {
-        bool all = wider != "thing" && wider != "movable" && wider != "place" && wider != "fixture";
+        const auto is_kind = [](const std::string& word) { return word.front() >= 'a'; };
+        const bool listed = is_kind(arguments.back());
+        bool all = listed ? std::count(arguments.begin(), arguments.end(), wider) > 0
+                          : wider != "thing" && wider != "movable" && wider != "place" && wider != "fixture";
         for (const auto& argument : arguments) {
+          if (is_kind(argument)) continue;
           const auto& others = knowledge.find(category_of(argument))->kinds;
           all = all && std::count(others.begin(), others.end(), wider) > 0;
         }

@@ -21,6 +21,7 @@ Json sound_task() {
         {"op":"atom","predicate":"open","terms":[{"variable":"a"}]}}]}},
     "start":{"constraints":[],"edits":[],"changes":{}},
     "instruction":{"text":"Open a fridge.","writer":"grammar","style":"direct","checks":["parses-back"]},
+    "purpose":{"name":"preparing","because":["refrigerator is closed"]},
     "sense":{"grade":"tolerable","parts":[{"part":"open fridge","grade":"tolerable","why":"written"}]},
     "expert":{"M1":{"steps":3,"failures":0},"M3":{"steps":30,"failures":2}},"seed":{"run":1,"slot":0,"attempt":0}})text");
 }
@@ -40,6 +41,8 @@ TEST(ReadTask, TakesASoundLine) {
   EXPECT_EQ(task->layout, "ai2thor-home-0001");
   EXPECT_EQ(task->bindings, (std::vector<std::pair<std::string, std::string>>{{"A", "Fridge"}}));
   EXPECT_EQ(task->writer, "grammar");
+  EXPECT_EQ(task->purpose, "preparing");
+  EXPECT_EQ(task->because, std::vector<std::string>{"refrigerator is closed"});
   EXPECT_EQ(task->grade, "tolerable");
   ASSERT_EQ(task->sense.size(), 1U);
   EXPECT_EQ(task->sense[0].part, "open fridge");
@@ -52,6 +55,18 @@ TEST(ReadTask, TakesASoundLine) {
   const auto goal = parse_formula("goal", task->goal_text, FormulaUse::Goal);
   ASSERT_TRUE(goal);
   EXPECT_EQ(*goal, task->goal_tree);
+}
+
+TEST(ReadTask, ATaskNeedNotSayWhatItIsFor) {
+  Json json = sound_task();
+  json.erase("purpose");
+  const auto task = read_task("tasks.jsonl", 1, json.dump());
+  ASSERT_TRUE(task) << format(task.error());
+  EXPECT_EQ(task->purpose, "");
+  json["purpose"] = {{"name", "preparing"}};
+  const auto half = read_task("tasks.jsonl", 1, json.dump());
+  ASSERT_FALSE(half);
+  EXPECT_THAT(half.error().message, HasSubstr("because"));
 }
 
 TEST(ReadTask, NamesThatCouldLeadOutOfAFolderAreRefused) {

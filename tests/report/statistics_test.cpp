@@ -79,6 +79,7 @@ TaskEntry entry(const std::string& id, const std::string& home, const std::strin
   task.goal = *parse_formula("goal", goal, FormulaUse::Goal);
   task.changes = "{}";
   task.instruction = {text, "grammar", Style::Direct, {}, ""};
+  if (name == "open-one") task.purpose = {"preparing", {"mug is closed"}};
   task.expert = {{Mode::M1, 2, 1}};
   return task;
 }
@@ -160,6 +161,7 @@ TEST(Statistics, CountHomesOnceAndGoalsByTask) {
   EXPECT_EQ(statistics.rooms.counts, (std::map<int, int>{{1, 2}}));
   EXPECT_EQ(statistics.objects.counts, (std::map<int, int>{{2, 1}, {5, 1}}));
   EXPECT_EQ(statistics.templates, (Tally{{"close-one", 1}, {"open-one", 2}}));
+  EXPECT_EQ(statistics.purposes, (Tally{{"preparing", 2}}));
   EXPECT_EQ(statistics.predicates, (Tally{{"clean", 2}, {"held", 1}}));
   EXPECT_EQ(statistics.operators.at("at-end"), 2);
   EXPECT_EQ(statistics.operators.at("sometime"), 1);
