@@ -40,7 +40,7 @@ TEST(AuditCommand, LearnsFromAnotherSet) {
 
 TEST(AuditCommand, RefusesWhatIsNoSoundDataSet) {
   EXPECT_EQ(audit("/nowhere", {}).code, 2);
-  const SpoiltCopy copy;
+  const DamagedCopy copy;
   auto tasks = copy.read("tasks.jsonl");
   copy.write("tasks.jsonl", "{" + tasks);
   const auto ended = audit(copy.folder(), {});

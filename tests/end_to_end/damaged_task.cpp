@@ -361,12 +361,12 @@ const std::vector<Corruption> kCorruptions{
        return true;
      }},
     {"APurposeThatItsTemplateDoesNotGive", "template",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        s.task["purpose"]["name"] = s.task["purpose"]["name"] == "leisure" ? "safety" : "leisure";
        return true;
      }},
     {"AReasonThatItsTemplateDoesNotGive", "template",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        s.task["purpose"]["because"].push_back("somebody likes it");
        return true;
      }},
@@ -382,7 +382,7 @@ const std::vector<Corruption> kCorruptions{
        return !parts.empty();
      }},
     {"AMoveToAndFro", "edits",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        auto& edits = s.task["start"]["edits"];
        const auto moved = std::find_if(edits.begin(), edits.end(),
                                        [](const Json& edit) { return edit.get<std::string>().starts_with("moved "); });
@@ -392,7 +392,7 @@ const std::vector<Corruption> kCorruptions{
        return true;
      }},
     {"AStateThatWasNotMade", "edits",
-     [](SpoiltTask& s) {
+     [](DamagedTask& s) {
        for (auto& edit : s.task["start"]["edits"]) {
          const auto text = edit.get<std::string>();
          if (!text.starts_with("made ") || !text.ends_with(" dirty")) continue;
