@@ -35,6 +35,7 @@ class ClauseReader {
   Clause comparison();
   Clause reached();
   Clause moved();
+  void placed(Clause& clause);
   Clause taken();
   bool is_room(const Domain& noun) const;
   Clause with_symbol(Predicate predicate);

@@ -116,7 +116,7 @@ NounTable::NounTable(const Knowledge& knowledge, English english) {
       continue;
     }
     const Name name{alias.text, category->countable ? plural_of(alias.text) : alias.text, category->countable};
-    if (alias.source.confidence >= kSaid) made.synonyms[alias.category].push_back(name);
+    if (alias.source.confidence >= kSaid && is_said(alias.text, english)) made.synonyms[alias.category].push_back(name);
     const Domain noun = of_category(alias.category);
     add(made.nouns, name.singular, noun, name.countable, false, !name.countable, 1);
     if (name.countable) add(made.nouns, name.plural, noun, false, true, false, 1);
@@ -134,11 +134,14 @@ NounTable::NounTable(const Knowledge& knowledge, English english) {
   if (rooms.empty()) rooms.insert(kUsualRooms.begin(), kUsualRooms.end());
   for (const std::string& room : rooms) {
     if (made.names.contains(room)) continue;
-    const Name name{spaced(room), plural_of(spaced(room)), true};
-    made.names[room] = name;
-    add(made.nouns, name.singular, of_category(room), true, false, false, 0);
-    add(made.rooms, name.singular, of_category(room), true, false, false, 0);
-    add(made.nouns, name.plural, of_category(room), false, true, false, 0);
+    const std::string_view usual = everyday_name(spaced(room), english);
+    for (const std::string& name : {spaced(room), std::string(usual)}) {
+      if (name.empty()) continue;
+      made.names[room] = {name, plural_of(name), true};
+      add(made.nouns, name, of_category(room), true, false, false, 0);
+      add(made.rooms, name, of_category(room), true, false, false, 0);
+      add(made.nouns, plural_of(name), of_category(room), false, true, false, 0);
+    }
     made.room_types.push_back(room);
   }
   Domain object, room, agent;
