@@ -46,6 +46,7 @@ class ClauseReader {
   Clause outnumbering();
   Clause poured();
   Clause remaining();
+  Clause none_left();
   bool put_down();
   bool taken_from(Clause& clause);
 

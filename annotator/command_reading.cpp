@@ -34,6 +34,7 @@ Clause ClauseReader::command() {
   if (words_.accept("put the same number of")) return same_number();
   if (words_.accept("put more")) return outnumbering();
   if (words_.accept("pour it into")) return poured();
+  if (words_.accept_one({"don't leave any", "do not leave any"}) >= 0) return none_left();
   if (words_.accept("leave")) return remaining();
   const bool repeated = moving_ && words_.phrase_comes();  // "put a mug on a table and a bowl in a box"
   moving_ = repeated || words_.accept_one({"put", "place", "set"}) >= 0;

@@ -357,6 +357,11 @@ class Composer {
 
   /// "that you put a mug into": another thing that the text asks for.
   Formula brought_about(const Complement& done, const Resolved& subject, const Clause& clause, Box& box) {
+    if (done.object.empty()) {  // "a heated potato"
+      if (subject.local || clause.any_subject)
+        references_.fail(clause.subjects[0].column, "which ones are meant is not clear");
+      return said_of(done, subject.term, nullptr);
+    }
     const NounPhrase& phrase = done.object[0];
     const Resolved object = references_.resolve(phrase, box);
     if (subject.local || object.local || clause.any_subject)

@@ -15,6 +15,7 @@ class HomeCounts {
   /// `start`: at its first position; outlives this.
   explicit HomeCounts(const Trace& start) : start_(&start) {}
 
+  /// Whether there is a home to count in.
   bool is_known() const { return start_ != nullptr; }
   /// Empty also where it is not known, depends on another thing of the goal, or is what slicing makes.
   std::vector<EntityIndex> members(const Domain& domain, const std::string& variable) const;

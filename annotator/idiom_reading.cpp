@@ -99,6 +99,15 @@ bool ClauseReader::taken_from(Clause& clause) {
   return true;
 }
 
+/// "don't leave any mugs on the desk"
+Clause ClauseReader::none_left() {
+  Clause clause;
+  clause.subjects.push_back(words_.bare_noun());
+  clause.subjects[0].determiner = Determiner::No;
+  words_.complements(clause);
+  return clause;
+}
+
 /// "leave exactly one mug on the desk and put the others somewhere else", "leave no mug on any desk"
 Clause ClauseReader::remaining() {
   Clause clause;

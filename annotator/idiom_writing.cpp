@@ -47,9 +47,9 @@ Text from(const Complement& place, bool every, Naming& naming) {
 Text taken_away(const Clause& clause, Naming& naming, Rng& rng) {
   const Complement& place = clause.complements[0];
   if (naming.keeps_no()) {
-    const auto none = naming.phrase(clause.subjects[0], {});
-    const Text where = none ? naming.complement(place, {.beside_none = true}) : std::nullopt;
-    return where && !clause.put_down ? Text("leave " + none->text + " " + *where) : std::nullopt;
+    const auto any = naming.plural(clause.subjects[0]);
+    const Text where = any ? naming.complement(place, {.beside_none = true}) : std::nullopt;
+    return where && !clause.put_down ? Text("don't leave any " + *any + " " + *where) : std::nullopt;
   }
   const auto all = naming.phrase(as(clause.subjects[0], Determiner::Every), {.together = true});
   const Text where = all ? from(place, clause.subjects[0].there != 1, naming) : std::nullopt;

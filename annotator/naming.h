@@ -95,6 +95,7 @@ class Naming {
     bool vague = false;  // "that object" may mean it
     std::string use;     // "something to drink from", or ""
   };
+  bool is_carried(const Domain& noun) const;
   static bool is_plural(const Noun& noun);  // "the crackers", of which there is no one
   std::vector<std::string> nameless(const Domain& noun, AliasKind use) const;
   std::vector<std::string> uses(const Domain& noun) const;

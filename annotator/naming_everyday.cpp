@@ -9,6 +9,11 @@ bool Naming::is_alone(const Domain& noun) const {
   return std::binary_search(wording_.alone.begin(), wording_.alone.end(), noun.members[0].category);
 }
 
+bool Naming::is_carried(const Domain& noun) const {
+  const NounTable::Name* name = noun.members.size() == 1 ? lexicon_.display(noun.members[0].category) : nullptr;
+  return name != nullptr && name->movable;
+}
+
 bool Naming::comes_from_a_shaker(const std::string& substance) const {
   return substance == "black_pepper" || lexicon_.display(substance + "_shaker") != nullptr;
 }
@@ -40,7 +45,10 @@ Words Naming::first_everyday(const NounPhrase& said, const Noun& noun, Place pla
   const auto others = std::count_if(named_.begin(), named_.end(), [&](const Named& other) {
     return other.noun == said.noun && other.variable != said.variable;
   });
-  const bool alone = is_alone(said.noun) && !place.wanted && !place.chosen && others == 0;
+  // Of what is carried about, "a mug" where there is one is what people say as often.
+  const bool carried =
+      !place.inside_description && !described && !place.beside_every && is_carried(said.noun) && rng_.chance(0.5);
+  const bool alone = is_alone(said.noun) && !carried && !place.wanted && !place.chosen && others == 0;
   // What describes something is told apart by it: "the mug on the desk", also where there is another desk.
   const bool describes = place.inside_description && !place.denied && said.modifiers.empty() &&
                          said.noun.kind == Domain::Kind::Categories &&
