@@ -25,12 +25,14 @@ const Formula* binder_of(const Formula& formula, const std::string& variable) {
 
 class Author {
  public:
-  Author(const Specification& specification, const NounTable& lexicon, const Wording& wording, Rng rng)
+  Author(const Specification& specification, const NounTable& lexicon, const Wording& wording, const HomeCounts& home,
+         Rng rng)
       : specification_(specification),
         style_(wording.style),
         rng_(rng),
         naming_(plan_, lexicon, wording, rng_),
-        phrases_(specification.init) {
+        home_(home),
+        phrases_(specification.init, home) {
     for (const Formula* f = &specification.goal; f->op == Op::Exists; f = &f->children[0])
       phrases_.scope()[f->variable] = f->domain;
   }
@@ -91,6 +93,11 @@ class Author {
 
   /// The noun alone, to which the phrasing adds what it wants.
   Text bare(const Formula& binder, bool plural) {
+    if (binder.op == Op::Forall || binder.op == Op::Count) {
+      const std::size_t there = home_.members(binder.domain, binder.variable).size();
+      // "All the mugs" and "two mugs" promise more.
+      if (there == 1 || (there > 0 && static_cast<int>(there) == binder.number)) return std::nullopt;
+    }
     NounPhrase thing;
     thing.noun = binder.domain;
     const bool described = !thing.noun.where.empty();
@@ -108,14 +115,16 @@ class Author {
   Rng rng_;
   Plan plan_;
   Naming naming_;
+  HomeCounts home_;
   PhrasePlanner phrases_;
 };
 
 }  // namespace
 
 std::optional<std::string> authored_text(std::string_view phrasing, const Specification& specification,
-                                         const NounTable& lexicon, const Wording& wording, Rng rng) {
-  return Author(specification, lexicon, wording, rng).text(phrasing);
+                                         const NounTable& lexicon, const Wording& wording, const HomeCounts& home,
+                                         Rng rng) {
+  return Author(specification, lexicon, wording, home, rng).text(phrasing);
 }
 
 }  // namespace unietp

@@ -18,6 +18,7 @@ namespace unietp {
 /// back. Deterministic in rng. nullopt: a slot is of nothing that the goal speaks of, or its form does not fit what
 /// the goal says of it.
 std::optional<std::string> authored_text(std::string_view phrasing, const Specification& specification,
-                                         const NounTable& lexicon, const Wording& wording, Rng rng);
+                                         const NounTable& lexicon, const Wording& wording, const HomeCounts& home,
+                                         Rng rng);
 
 }  // namespace unietp

@@ -38,6 +38,7 @@ struct NounPhrase {
   Domain noun;                        // without `where`
   bool by_function = false;           // "something to drink from"; named again as "that object"
   bool except = false;                // "every mug but the red one": all that the modifiers do not fit
+  std::size_t there = 0;              // the writer's: how many such objects the start has; 0: not known
   bool two = false;                   // the writer's: the start has two such objects: "both mugs", "the larger mug"
   std::vector<Complement> modifiers;  // all true in the start state ("that is dirty")
   std::vector<Complement> done;       // to be brought about ("that you put a mug into"; "a slice of it")

@@ -35,6 +35,7 @@ class ClauseReader {
   Clause comparison();
   Clause reached();
   Clause moved();
+  void placed(Clause& clause);
   Clause taken();
   bool is_room(const Domain& noun) const;
   Clause with_symbol(Predicate predicate);
@@ -45,6 +46,7 @@ class ClauseReader {
   Clause outnumbering();
   Clause poured();
   Clause remaining();
+  Clause none_left();
   bool put_down();
   bool taken_from(Clause& clause);
 

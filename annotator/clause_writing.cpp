@@ -14,7 +14,7 @@ using Text = std::optional<std::string>;
 Place place_of(const Clause& clause) {
   Place place;
   for (const NounPhrase& subject : clause.subjects) {
-    place.beside_every |= subject.determiner == Determiner::Every;
+    place.beside_every |= subject.determiner == Determiner::Every && subject.there != 1;
     place.beside_none |= subject.determiner == Determiner::No;
   }
   for (const Complement& complement : clause.complements) place.beside_none |= complement.negated;
@@ -31,6 +31,10 @@ std::string agreed(const std::string& be, bool plural, bool forbidden = false) {
   if (!plural) return be;
   if (be == "is") return "are";
   return be == "has to be" ? "have to be" : be;
+}
+
+bool said_not(const Clause& clause) {
+  return clause.complements[0].negated || clause.complements[0].predicate != Predicate::Covered;
 }
 
 bool speaks_of(const Clause& clause, const Domain& noun) {
@@ -220,7 +224,9 @@ std::optional<std::string> ClauseWriter::worded(const Clause& clause) {
     const Text text = special_command(clause, special);
     if (special) return text;
     if (clause.complements.size() == 1) {
-      const auto patterns = naming_.everyday() ? everyday_verbs(clause.complements[0]) : verbs(clause.complements[0]);
+      auto patterns = naming_.everyday() ? everyday_verbs(clause.complements[0]) : verbs(clause.complements[0]);
+      if (naming_.everyday() && !said_not(clause) && naming_.comes_from_a_shaker(clause.complements[0].symbol))
+        patterns = {"sprinkle {m} on {s}"};
       const bool clean_subject = clause.subjects[0].determiner != Determiner::No &&
                                  clause.subjects[0].determiner != Determiner::AtMost &&
                                  clause.subjects[0].determiner != Determiner::Agent;
@@ -293,12 +299,13 @@ std::optional<std::string> ClauseWriter::taken_first(const Clause& clause) {
     }
   }
   auto subject = naming_.phrase(thing, {.unique = !from.empty()});
-  if (!subject || subject->plural) return std::nullopt;
+  if (!subject || (subject->plural && !naming_.everyday())) return std::nullopt;
   subject->text += from;
-  const Text where = naming_.complement(clause.complements[0], place_of(clause));
-  return where ? Text("take " + subject->text +
-                      (naming_.everyday() ? " and put it " : pick({" and put it ", " and place it "})) + *where)
-               : std::nullopt;
+  Place place = place_of(clause);
+  place.bare_room = naming_.everyday();
+  const Text where = naming_.complement(clause.complements[0], place);
+  const std::string put = naming_.everyday() ? " and put " : pick({" and put ", " and place "});
+  return where ? Text("take " + subject->text + put + (subject->plural ? "them " : "it ") + *where) : std::nullopt;
 }
 
 bool ClauseWriter::described_by_place(const Clause& clause) const {
@@ -312,15 +319,18 @@ bool ClauseWriter::described_by_place(const Clause& clause) const {
 std::optional<std::string> ClauseWriter::filled(const std::string& pattern, const Clause& clause) {
   if (described_by_place(clause) && !pattern.starts_with("attach")) return taken_first(clause);
   // Only where the reader expects no place: verbs that end with what they are done to.
-  const bool bare = pattern.ends_with(" {s}") && (is_done_in_place(clause.complements[0].predicate) ||
-                                                  (naming_.everyday() && is_told_apart(clause)));
+  const bool bare =
+      (pattern.ends_with(" {s}") || pattern.ends_with(" {s} with {m}")) &&
+      (is_done_in_place(clause.complements[0].predicate) || (naming_.everyday() && is_told_apart(clause)));
   const bool moved = pattern.find("{o}") != std::string::npos;
   const auto subjects = subjects_of(clause, {.bare = bare, .moved = moved});
   if (!subjects) return std::nullopt;
   std::string text = with_particle_order(pattern, subjects->text, clause.complements[0]);
   text = replace_all(text, "{m}", replace_all(clause.complements[0].symbol, "_", " "));
   if (!clause.complements[0].object.empty()) {
-    const auto object = naming_.phrase(clause.complements[0].object[0], place_of(clause));
+    Place place = place_of(clause);
+    place.bare_room = naming_.everyday() && text.ends_with(" {o}");
+    const auto object = naming_.phrase(clause.complements[0].object[0], place);
     if (!object) return std::nullopt;
     if (object->text == "it") text = replace_all(text, "the floor of {o}", "its floor");
     text = replace_all(text, "{o}", object->text);

@@ -34,6 +34,7 @@ Clause ClauseReader::command() {
   if (words_.accept("put the same number of")) return same_number();
   if (words_.accept("put more")) return outnumbering();
   if (words_.accept("pour it into")) return poured();
+  if (words_.accept_one({"don't leave any", "do not leave any"}) >= 0) return none_left();
   if (words_.accept("leave")) return remaining();
   const bool repeated = moving_ && words_.phrase_comes();  // "put a mug on a table and a bowl in a box"
   moving_ = repeated || words_.accept_one({"put", "place", "set"}) >= 0;
@@ -43,6 +44,7 @@ Clause ClauseReader::command() {
   if (words_.accept("cover")) return with_symbol(P::Covered);
   if (words_.accept("pour")) return symbol_first(P::Filled, "into", false);
   if (words_.accept("spread")) return symbol_first(P::Covered, "over", false);
+  if (words_.accept("sprinkle")) return symbol_first(P::Covered, "on", false);
   if (words_.accept("wipe the")) return symbol_first(P::Covered, "off", true);
   if (words_.accept("attach")) {
     Clause clause;
@@ -77,19 +79,26 @@ Clause ClauseReader::moved() {
   Clause clause;
   clause.subjects = words_.phrases(clause.any_subject);
   if (!words_.comes("either") && !words_.complement_comes()) words_.fail("expected a place, such as 'on a table'");
-  words_.complements(clause);
+  placed(clause);
   for (const Complement& complement : clause.complements)
     if (complement.object.empty() || complement.negated) words_.fail("expected a place before this");
   return clause;
+}
+
+/// "on the table in the kitchen": where something is put.
+void ClauseReader::placed(Clause& clause) {
+  words_.set_bare_rooms(true);
+  words_.complements(clause);
+  words_.set_bare_rooms(false);
 }
 
 /// "take every mug off the table" leaves none; "take a mug to the kitchen" brings one.
 Clause ClauseReader::taken() {
   Clause clause;
   clause.subjects = words_.phrases(clause.any_subject);
-  if (words_.accept_one({"and put it", "and place it"}) >= 0) {
+  if (words_.accept_one({"and put it", "and place it", "and put them"}) >= 0) {
     if (clause.subjects.size() > 1) words_.fail("expected one object before 'and put it'");
-    words_.complements(clause);
+    placed(clause);
     return clause;
   }
   if (taken_from(clause)) return clause;
@@ -121,7 +130,9 @@ bool ClauseReader::is_room(const Domain& noun) const {
 
 Clause ClauseReader::with_symbol(Predicate predicate) {
   Clause clause;
+  words_.set_bare_places(true);
   clause.subjects = words_.phrases(clause.any_subject);
+  words_.set_bare_places(false);
   words_.expect("with");
   clause.complements.push_back({predicate, false, words_.symbol(), {}});
   return clause;
@@ -131,7 +142,9 @@ Clause ClauseReader::symbol_first(Predicate predicate, std::string_view link, bo
   Clause clause;
   clause.complements.push_back({predicate, negated, words_.symbol(), {}});
   words_.expect(link);
+  words_.set_bare_places(true);
   clause.subjects = words_.phrases(clause.any_subject);
+  words_.set_bare_places(false);
   return clause;
 }
 

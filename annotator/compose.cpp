@@ -158,9 +158,13 @@ class Composer {
         break;
       case Requirement::Kind::OnlyThen: {
         Formula none = said[1];
-        if (none.op != Op::Forall)
+        if (none.op == Op::Forall) {
+          none.children = {negation(said[1].children[0])};
+        } else if (none.op == Op::Atom) {
+          none = negation(said[1]);
+        } else {
           return references_.fail(requirement.clauses[1].subjects[0].column, "expected 'all the …' after 'only then'");
-        none.children = {negation(said[1].children[0])};
+        }
         parts.push_back(wrapped(Op::Until, {std::move(none), said[0]}));
         parts.push_back(at_end(said[0]));
         parts.push_back(at_end(said[1]));
@@ -310,7 +314,8 @@ class Composer {
       if (opened && ((none && !the) || (every && phrase.determiner == Determiner::New && !phrase.by_function)))
         references_.fail(phrase.column,
                          "whether this is one and the same object is not clear; 'any …' or 'a single …' is");
-      if (opened && complement.negated) references_.fail(phrase.column, "'not … a' has two readings; 'any …' has one");
+      if (opened && complement.negated && !clause.removal)
+        references_.fail(phrase.column, "'not … a' has two readings; 'any …' has one");
     }
     return slots;
   }
@@ -352,6 +357,11 @@ class Composer {
 
   /// "that you put a mug into": another thing that the text asks for.
   Formula brought_about(const Complement& done, const Resolved& subject, const Clause& clause, Box& box) {
+    if (done.object.empty()) {  // "a heated potato"
+      if (subject.local || clause.any_subject)
+        references_.fail(clause.subjects[0].column, "which ones are meant is not clear");
+      return said_of(done, subject.term, nullptr);
+    }
     const NounPhrase& phrase = done.object[0];
     const Resolved object = references_.resolve(phrase, box);
     if (subject.local || object.local || clause.any_subject)

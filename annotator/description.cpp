@@ -7,12 +7,22 @@
 namespace unietp {
 namespace {
 
-bool is_direct(const Complement& modifier, bool bare) {
+bool is_direct(const Complement& modifier, Place place) {
   if (modifier.negated || modifier.object.empty()) return false;
   using P = Predicate;
-  const bool place = modifier.predicate == P::On || modifier.predicate == P::Inside ||
+  if (place.bare_room && modifier.predicate == P::InRoom) return true;
+  const bool where = modifier.predicate == P::On || modifier.predicate == P::Inside ||
                      modifier.predicate == P::InRoom || modifier.predicate == P::NextTo;
-  return modifier.converse || modifier.predicate == P::Nearest || (bare && place);
+  return modifier.converse || modifier.predicate == P::Nearest || (place.bare && where);
+}
+
+/// "The larger dirty red wooden box", "the dirty kitchen cabinet".
+int place_before_noun(const Complement& modifier) {
+  using P = Predicate;
+  if (modifier.predicate == P::Size) return 0;
+  if (modifier.predicate == P::Colour) return 2;
+  if (modifier.predicate == P::Material) return 3;
+  return modifier.object.empty() ? 1 : 4;
 }
 
 }  // namespace
@@ -47,13 +57,19 @@ std::string Naming::room_before(const Complement& modifier) const {
 std::optional<Naming::Description> Naming::describe(const NounPhrase& said, Place place) {
   Description description;
   std::vector<const Complement*> rest;
-  for (const Complement& modifier : said.modifiers) {
-    std::string word = description.before.empty() ? adjective(modifier, said.two) : "";
-    if (word.empty() && description.before.empty()) word = room_before(modifier);
+  std::vector<const Complement*> modifiers;
+  for (const Complement& modifier : said.modifiers) modifiers.push_back(&modifier);
+  std::stable_sort(modifiers.begin(), modifiers.end(), [](const Complement* a, const Complement* b) {
+    return place_before_noun(*a) < place_before_noun(*b);
+  });
+  for (const Complement* const one : modifiers) {
+    const Complement& modifier = *one;
+    std::string word = everyday() || description.before.empty() ? adjective(modifier, said.two) : "";
+    if (word.empty()) word = room_before(modifier);
     const bool size = modifier.predicate == Predicate::Size;
-    const bool needed = size || style_ == Style::Ellipsis || style_ == Style::Compound;
-    if (!word.empty() && (needed || rng_.chance(everyday() ? 0.95 : 0.7))) {
-      description.before = word + " ";
+    const bool needed = everyday() || size || style_ == Style::Ellipsis || style_ == Style::Compound;
+    if (!word.empty() && (needed || rng_.chance(0.7))) {
+      description.before += word + " ";
       description.of_two = size && said.two && !everyday() && rng_.chance(0.4);
     } else {
       rest.push_back(&modifier);
@@ -74,7 +90,7 @@ std::optional<Naming::Description> Naming::describe(const NounPhrase& said, Plac
     }
     const auto text = complement(*modifier, inside);
     if (!text) return std::nullopt;
-    const bool direct = rest.size() == 1 && is_direct(*modifier, place.bare);
+    const bool direct = rest.size() == 1 && is_direct(*modifier, place);
     if (direct && (everyday() || modifier->predicate == Predicate::Nearest || rng_.chance(0.7))) {
       description.directly = " " + *text;
     } else {

@@ -76,20 +76,36 @@ bool ClauseReader::put_down() {
              {"and put them down", "and put it down", "and put them somewhere else", "and put it somewhere else"}) >= 0;
 }
 
-/// "take the mug off the desk and put it in the sink": the mug that is on the desk.
+/// "take the mug off the desk and put it in the sink": the mug that is on the desk. "Take the mug off the desk.": no
+/// more than that it is no longer there.
 bool ClauseReader::taken_from(Clause& clause) {
   if (clause.subjects.size() != 1 || clause.subjects[0].determiner == Determiner::Every) return false;
   const int from = words_.accept_one({"off", "out of", "from"});
   if (from < 0) return false;
-  Complement place{from == 1 ? P::Inside : P::On, false, "", {words_.phrase()}};
+  Complement place{from == 1 ? P::Inside : P::On, false, "", {words_.place()}};
   if (from == 2) {
     if (!is_room(place.object[0].noun)) words_.fail("expected a room before this");
     place.predicate = P::InRoom;
   }
+  clause.put_down = put_down();
+  if (clause.put_down || words_.accept_one({"and put it", "and place it", "and put them"}) < 0) {
+    if (from != 2) clause.removal = place.negated = true;
+    if (from == 2) words_.fail("expected 'and put it'");
+    clause.complements.push_back(std::move(place));
+    return true;
+  }
   clause.subjects[0].modifiers.push_back(std::move(place));
-  if (words_.accept_one({"and put it", "and place it"}) < 0) words_.fail("expected 'and put it'");
-  words_.complements(clause);
+  placed(clause);
   return true;
+}
+
+/// "don't leave any mugs on the desk"
+Clause ClauseReader::none_left() {
+  Clause clause;
+  clause.subjects.push_back(words_.bare_noun());
+  clause.subjects[0].determiner = Determiner::No;
+  words_.complements(clause);
+  return clause;
 }
 
 /// "leave exactly one mug on the desk and put the others somewhere else", "leave no mug on any desk"
@@ -106,7 +122,8 @@ Clause ClauseReader::remaining() {
 }
 
 bool ClauseReader::left_alone(Clause& clause) {
-  const int others = words_.accept_one({"do not open any of the others", "leave the others closed"});
+  const int others = words_.accept_one({"do not open any of the others", "leave the others closed",
+                                        "do not open the other one", "leave the other one closed"});
   if (others >= 0) {
     NounPhrase rest = words_.last_noun();
     rest.determiner = Determiner::Every;
@@ -121,7 +138,7 @@ bool ClauseReader::left_alone(Clause& clause) {
     clause.complements.push_back({P::Closed, false, "", {}});
     return true;
   }
-  for (const std::string_view all : {"leave all", "leave every", "leave each", "leave both"}) {
+  for (const std::string_view all : {"leave all", "leave every", "leave each", "leave both", "leave the"}) {
     if (!words_.comes(all)) continue;
     words_.accept("leave");
     clause.subjects.push_back(words_.phrase());

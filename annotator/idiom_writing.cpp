@@ -29,7 +29,7 @@ NounPhrase as(NounPhrase phrase, Determiner determiner) {
 }
 
 /// "off the table", "out of it", "off the floor of the kitchen": from every one of several.
-Text from(const Complement& place, Naming& naming) {
+Text from(const Complement& place, bool every, Naming& naming) {
   const NounPhrase& object = place.object[0];
   const std::string off = place.predicate == P::Inside ? "out of " : "off ";
   const bool all = object.determiner == Determiner::Any && !naming.is_alone(object.noun);
@@ -37,7 +37,7 @@ Text from(const Complement& place, Naming& naming) {
     const auto many = naming.plural(object);
     return many && naming.is_countable(object.noun) ? Text(off + "the " + *many) : std::nullopt;
   }
-  const auto one = naming.phrase(object, {.beside_every = true});
+  const auto one = naming.phrase(object, {.beside_every = every});
   if (!one) return std::nullopt;
   if (place.predicate != P::OnFloor) return off + one->text;
   return one->text == "it" ? off + "its floor" : off + "the floor of " + one->text;
@@ -47,12 +47,12 @@ Text from(const Complement& place, Naming& naming) {
 Text taken_away(const Clause& clause, Naming& naming, Rng& rng) {
   const Complement& place = clause.complements[0];
   if (naming.keeps_no()) {
-    const auto none = naming.phrase(clause.subjects[0], {});
-    const Text where = none ? naming.complement(place, {.beside_none = true}) : std::nullopt;
-    return where && !clause.put_down ? Text("leave " + none->text + " " + *where) : std::nullopt;
+    const auto any = naming.plural(clause.subjects[0]);
+    const Text where = any ? naming.complement(place, {.beside_none = true}) : std::nullopt;
+    return where && !clause.put_down ? Text("don't leave any " + *any + " " + *where) : std::nullopt;
   }
   const auto all = naming.phrase(as(clause.subjects[0], Determiner::Every), {.together = true});
-  const Text where = all ? from(place, naming) : std::nullopt;
+  const Text where = all ? from(place, clause.subjects[0].there != 1, naming) : std::nullopt;
   if (!where) return std::nullopt;
   const std::string them = all->plural ? "them" : "it";
   const std::string down = rng.chance(0.5) ? " down" : " somewhere else";
@@ -120,7 +120,7 @@ std::optional<std::string> left_alone(const Clause& clause, Naming& naming, Rng&
     const Text where = all ? naming.complement(said, {.beside_every = true}) : std::nullopt;
     return where ? Text("leave " + all->text + " " + *where) : std::nullopt;
   }
-  if (said.predicate != P::Closed || !said.object.empty() || subject.two) return std::nullopt;
+  if (said.predicate != P::Closed || !said.object.empty()) return std::nullopt;
   if (subject.determiner == Determiner::Every && naming.is_alone(subject.noun) && subject.modifiers.empty()) {
     const auto one = naming.phrase(as(subject, Determiner::Any), {});
     return one ? Text("do not open " + one->text) : std::nullopt;
@@ -128,7 +128,9 @@ std::optional<std::string> left_alone(const Clause& clause, Naming& naming, Rng&
   if (subject.determiner != Determiner::Every) return std::nullopt;
   if (subject.modifiers.size() == 1 && subject.modifiers[0].predicate == P::Closed && !subject.modifiers[0].negated &&
       naming.was_named_kind(subject.noun))
-    return rng.chance(0.5) ? "do not open any of the others" : "leave the others closed";
+    return subject.there == 1 ? rng.chance(0.5) ? "do not open the other one" : "leave the other one closed"
+           : rng.chance(0.5)  ? "do not open any of the others"
+                              : "leave the others closed";
   const auto any = naming.phrase(as(subject, Determiner::Any), {});
   return any ? Text("do not open " + any->text) : std::nullopt;
 }

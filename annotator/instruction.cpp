@@ -8,11 +8,11 @@
 #include "annotator/conditions.h"
 #include "annotator/contrast.h"
 #include "annotator/function_phrases.h"
+#include "annotator/home_counts.h"
 #include "annotator/home_facts.h"
 #include "annotator/home_reading.h"
 #include "annotator/home_sentences.h"
 #include "annotator/meaning.h"
-#include "annotator/only_ones.h"
 #include "annotator/parse.h"
 #include "annotator/phenomena.h"
 #include "annotator/phrasing_sets.h"
@@ -53,18 +53,21 @@ class Judge {
         home_(home),
         alone_(home == nullptr ? std::vector<std::string>() : alone_in(*home)),
         there_(home == nullptr ? std::vector<std::string>() : categories_in(*home)),
+        start_(home == nullptr ? Trace() : to_logic(*home, {}, reads_comparisons(specification.goal))),
+        counts_(home == nullptr ? HomeCounts() : HomeCounts(start_)),
         goal_(expanded(specification.goal)),
-        named_goal_(expanded(with_names_of_only_ones(goal_, alone_))) {}
+        plain_goal_(expanded(plainly_in_home(goal_, counts_))),
+        goal_here_(expanded(as_in_home(goal_, counts_))) {}
+  Judge(const Judge&) = delete;
 
   const Formula& goal() const { return goal_; }
+  /// As a text about this home says it.
+  const Formula& plain_goal() const { return plain_goal_; }
+  const HomeCounts& counts() const { return counts_; }
   /// Of which the home has one.
   const std::vector<std::string>& alone() const { return alone_; }
   const std::vector<std::string>& there() const { return there_; }
-  const Trace& start() const {
-    if (home_ != nullptr && start_.states.empty())
-      start_ = to_logic(*home_, {}, reads_comparisons(specification_.goal));
-    return start_;
-  }
+  const Trace& start() const { return start_; }
 
   bool reads_back(const std::string& text) const {
     const auto read = readings(text);
@@ -100,7 +103,7 @@ class Judge {
     Formula all = expanded(read);
     if (specification_.style == Style::Condition) all = without_conditions(all, specification_.init);
     return same_expanded(all, goal_) ||
-           (!alone_.empty() && same_expanded(expanded(with_names_of_only_ones(all, alone_)), named_goal_));
+           (counts_.is_known() && same_expanded(expanded(as_in_home(all, counts_)), goal_here_));
   }
   /// Readings that are the same in this home are one.
   bool all_meant(const std::vector<Reading>& read) const {
@@ -112,8 +115,9 @@ class Judge {
   const NounTable& lexicon_;
   const Scene* home_;
   std::vector<std::string> alone_, there_;
-  Formula goal_, named_goal_;
-  mutable Trace start_;  // made when it is asked for
+  Trace start_;  // empty when the home is not known
+  HomeCounts counts_;
+  Formula goal_, plain_goal_, goal_here_;
 };
 
 /// Adds to a text what a style has besides what is asked. False when there is nothing to add.
@@ -194,8 +198,9 @@ class Writer {
       if (style == Style::Request && !text) return std::nullopt;
       if (!text) {
         auto plan =
-            plan_message(exactly ? specification_.goal : judge_.goal(), specification_.init,
-                         {draw >= kPlainDraws, style == Style::Condition, is_everyday(), exactly}, own.fork("plan", 0));
+            plan_message(exactly ? specification_.goal : judge_.plain_goal(), specification_.init,
+                         {draw >= kPlainDraws, style == Style::Condition, is_everyday(), exactly, judge_.counts()},
+                         own.fork("plan", 0));
         if (!plan && (exactly || style != Style::Direct)) return std::nullopt;
         if (!plan) {
           exactly = true;
@@ -255,8 +260,8 @@ class Writer {
     for (const std::size_t i : order) {
       for (std::uint64_t draw = 0; draw < kAuthoredDraws; ++draw) {
         Rng own = rng.fork("phrasing", i * kAuthoredDraws + draw);
-        auto text =
-            authored_text(phrasings[i], specification_, nouns_, {style, true, judge_.alone(), judge_.there()}, own);
+        auto text = authored_text(phrasings[i], specification_, nouns_, {style, true, judge_.alone(), judge_.there()},
+                                  judge_.counts(), own);
         if (!text || !framed(*text, style, own)) break;
         if (style == Style::Ellipsis && !contrasted(*text, own)) break;
         auto written = accepted(*text, style);

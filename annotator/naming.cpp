@@ -59,6 +59,10 @@ std::optional<std::string> Naming::name_of(const Domain::Member& member, bool pl
   return plural ? name.plural : name.singular;
 }
 
+bool Naming::is_plural(const Noun& noun) {
+  return !noun.countable && noun.singular.ends_with('s') && !noun.singular.ends_with("ss");
+}
+
 bool Naming::is_countable(const Domain& noun) const {
   return std::all_of(noun.members.begin(), noun.members.end(), [&](const Domain::Member& member) {
     const auto* name = lexicon_.display(member.category);
@@ -203,11 +207,12 @@ std::optional<Words> Naming::phrase(const NounPhrase& said, Place place) {
 
 /// "every mug but the red one"
 std::optional<Words> Naming::all_but(const NounPhrase& said, const Noun& noun) {
-  if (said.determiner != Determiner::Every || !noun.countable || noun.function) return std::nullopt;
+  if (said.determiner != Determiner::Every || !noun.countable || noun.function || said.there == 1) return std::nullopt;
   const auto left = describe(said, {});
   if (!left) return std::nullopt;
   NounPhrase all = said;
   all.except = all.two = false;
+  all.there = 0;
   all.modifiers.clear();
   auto words = counted(all, noun, {}, {});
   if (words)
@@ -237,10 +242,10 @@ std::optional<Words> Naming::again(const NounPhrase& said, const Noun& noun, Pla
   const bool close = std::find(mentioned_.rbegin(), mentioned_.rend(), said.variable) - mentioned_.rbegin() < 2;
   mentioned_.push_back(said.variable);
   const bool clear = close && (!place.moved || topic_ == said.variable);
-  if (!place.exact && everyday() && clear && named_.size() > 1 && !place.inside_description && rng_.chance(0.75))
-    return Words{"it"};
+  if (!place.exact && everyday() && clear && named_.size() > 1 && !place.inside_description && rng_.chance(0.9))
+    return is_plural(noun) ? Words{"them", true} : Words{"it"};
   if (!place.exact && named_.size() == 1 && (everyday() || style_ == Style::Anaphora || rng_.chance(0.7)))
-    return Words{"it"};
+    return is_plural(noun) ? Words{"them", true} : Words{"it"};
   // "That object" is clear only where no other was named: "that thing to drink from".
   const std::string word = !vague ? noun.singular : named_.size() == 1 ? "object" : named_again(use);
   if (word.empty()) return std::nullopt;
@@ -252,7 +257,7 @@ std::optional<Words> Naming::again(const NounPhrase& said, const Noun& noun, Pla
     return Words{"the " + std::string(kOrdinals[position]) + (noun.countable ? " " : " piece of ") + word};
   }
   if (place.exact) return Words{(place.inside_description ? "that " : "the ") + word};
-  if (everyday() && !vague) return Words{"the " + word};
+  if (everyday() && !vague) return Words{"the " + word, is_plural(noun)};
   const std::string article =
       vague || noun.countable ? pick({"that", "that", "the same", "the"}) : pick({"that", "the same"});
   return Words{article + " " + word};
@@ -314,6 +319,8 @@ std::optional<Words> Naming::counted(const NounPhrase& said, const Noun& noun, P
   const std::string number = number_word(said.number);
   std::string text;
   plural = said.number != 1;
+  if (everyday() && said.there == 1 && (said.determiner == Determiner::Every || said.determiner == Determiner::Any))
+    return Words{"the " + before + noun.singular + description.tail(is_plural(noun)), is_plural(noun)};
   switch (said.determiner) {
     case Determiner::Any:
       plural = false;
@@ -325,7 +332,7 @@ std::optional<Words> Naming::counted(const NounPhrase& said, const Noun& noun, P
     case Determiner::Every:
       plural = rng_.chance(0.5) || place.together;
       if (!noun.countable) {
-        plural = false;
+        plural = is_plural(noun);
         text = "all the " + before + noun.singular;
       } else {
         plural = plural || (everyday() && rng_.chance(0.5));

@@ -32,15 +32,16 @@ struct Place {
   bool beside_every = false;  // "put every mug on …": a bare "a table" would have two readings
   bool beside_none = false;   // "no mug is on …": nothing new can be named
   bool inside_description = false;
-  bool unique = false;    // the home has one only: "nearest to the sink"
-  bool denied = false;    // of a description: what it does not fit, "that is not in any sink"
-  bool wanted = false;    // some such thing, not one that is there: "someone wants a hot potato"
-  bool bare = false;      // no place follows, so a place can describe the noun: "open the drawer in the kitchen"
-  bool together = false;  // "all the mugs" rather than "every mug"
-  bool chosen = false;    // "choose a kitchen": there may be several
-  bool outcome = false;   // of what will be so at the end: what describes it is so now
-  bool moved = false;     // what is put somewhere: "it" is what the last command was about
-  bool exact = false;     // within a proposition: what is bound has one name, "some mug … the mug", and is never "it"
+  bool unique = false;     // the home has one only: "nearest to the sink"
+  bool denied = false;     // of a description: what it does not fit, "that is not in any sink"
+  bool wanted = false;     // some such thing, not one that is there: "someone wants a hot potato"
+  bool bare = false;       // no place follows, so a place can describe the noun: "open the drawer in the kitchen"
+  bool bare_room = false;  // only a room can: "on the table in the kitchen"
+  bool together = false;   // "all the mugs" rather than "every mug"
+  bool chosen = false;     // "choose a kitchen": there may be several
+  bool outcome = false;    // of what will be so at the end: what describes it is so now
+  bool moved = false;      // what is put somewhere: "it" is what the last command was about
+  bool exact = false;  // within a proposition: what is bound has one name, "some mug … the mug", and is never "it"
 };
 
 /// Names the objects of one text from left to right, and records which were named before and how.
@@ -73,6 +74,8 @@ class Naming {
   bool was_named(const std::string& variable) const;
   /// Whether such an object is first named by its function.
   bool names_by_use(const Domain& noun) const { return !uses(noun).empty(); }
+  /// Whether it is sprinkled on food: salt, and what else the home's base has a shaker of.
+  bool comes_from_a_shaker(const std::string& substance) const;
   /// The bare noun of one thing.
   std::optional<std::string> singular(const Domain& noun);
   /// The singular of what there are several of; from here on "the red one" means one of these.
@@ -92,6 +95,8 @@ class Naming {
     bool vague = false;  // "that object" may mean it
     std::string use;     // "something to drink from", or ""
   };
+  bool is_carried(const Domain& noun) const;
+  static bool is_plural(const Noun& noun);  // "the crackers", of which there is no one
   std::vector<std::string> nameless(const Domain& noun, AliasKind use) const;
   std::vector<std::string> uses(const Domain& noun) const;
   std::optional<Noun> noun(const Domain& domain, bool exact);

@@ -89,13 +89,13 @@ NounTable::NounTable(const Knowledge& knowledge, English english) {
   std::set<std::string, std::less<>> taken;
   for (const Category& category : knowledge.categories()) taken.insert(category.display);
   for (const Category& category : knowledge.categories()) {
-    made.names[category.name] = {category.display, category.plural, category.countable};
+    made.names[category.name] = {category.display, category.plural, category.countable, category.movable};
     for (const English one : {english, english == English::Us ? English::Gb : English::Us}) {
       const std::string_view usual = everyday_name(category.display, one);
       const bool again = one != english && usual == everyday_name(category.display, english);
       if (usual.empty() || usual == category.display || again || !taken.emplace(usual).second) continue;
       const Name name{std::string(usual), category.countable ? plural_of(usual) : std::string(usual),
-                      category.countable};
+                      category.countable, category.movable};
       if (one == english) made.names[category.name] = name;
       const int rank = one == english ? 0 : 1;
       add(made.nouns, name.singular, of_category(category.name), name.countable, false, !name.countable, rank);
@@ -115,8 +115,9 @@ NounTable::NounTable(const Knowledge& knowledge, English english) {
       add_phrase(alias);
       continue;
     }
-    const Name name{alias.text, category->countable ? plural_of(alias.text) : alias.text, category->countable};
-    if (alias.source.confidence >= kSaid) made.synonyms[alias.category].push_back(name);
+    const Name name{alias.text, category->countable ? plural_of(alias.text) : alias.text, category->countable,
+                    category->movable};
+    if (alias.source.confidence >= kSaid && is_said(alias.text, english)) made.synonyms[alias.category].push_back(name);
     const Domain noun = of_category(alias.category);
     add(made.nouns, name.singular, noun, name.countable, false, !name.countable, 1);
     if (name.countable) add(made.nouns, name.plural, noun, false, true, false, 1);
@@ -134,11 +135,14 @@ NounTable::NounTable(const Knowledge& knowledge, English english) {
   if (rooms.empty()) rooms.insert(kUsualRooms.begin(), kUsualRooms.end());
   for (const std::string& room : rooms) {
     if (made.names.contains(room)) continue;
-    const Name name{spaced(room), plural_of(spaced(room)), true};
-    made.names[room] = name;
-    add(made.nouns, name.singular, of_category(room), true, false, false, 0);
-    add(made.rooms, name.singular, of_category(room), true, false, false, 0);
-    add(made.nouns, name.plural, of_category(room), false, true, false, 0);
+    const std::string_view usual = everyday_name(spaced(room), english);
+    for (const std::string& name : {spaced(room), std::string(usual)}) {
+      if (name.empty()) continue;
+      made.names[room] = {name, plural_of(name), true, false};
+      add(made.nouns, name, of_category(room), true, false, false, 0);
+      add(made.rooms, name, of_category(room), true, false, false, 0);
+      add(made.nouns, plural_of(name), of_category(room), false, true, false, 0);
+    }
     made.room_types.push_back(room);
   }
   Domain object, room, agent;
@@ -271,6 +275,8 @@ NounTable::Reading NounTable::noun_at(const std::vector<Token>& tokens, std::siz
   const auto word = [&](std::size_t ahead) -> std::string_view {
     return at + ahead < tokens.size() ? std::string_view(tokens[at + ahead].text) : "";
   };
+  const bool quality = plain.length == 1 && (is_colour(tokens[at].text) || is_material(tokens[at].text));
+  if (quality && noun_at(tokens, at + 1).length > 0) return {};
   const std::size_t fresh = word(0) == "freshly" && word(1) == "cut" ? 2 : 0;
   const std::string_view head = word(fresh);
   const bool slice = head == "slice" || head == "slices";

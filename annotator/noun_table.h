@@ -42,6 +42,7 @@ class NounTable {
   struct Name {
     std::string singular, plural;
     bool countable = true;
+    bool movable = false;  // a thing that is carried about, of which people mostly say "a" at first
   };
   /// A category's or room type's display name; nullptr when the knowledge base does not know it.
   const Name* display(const std::string& category) const;
@@ -77,7 +78,7 @@ class NounTable {
   };
   /// The longest noun that starts here: "slice of coffee cake" before "slice". Display names win over synonyms.
   /// Where a category is itself called "slice of bread", the name means one of these first, then what slicing makes,
-  /// which "freshly cut slice of bread" always means.
+  /// which "freshly cut slice of bread" always means. "Glass" before another noun is what that is made of.
   Reading noun_at(const std::vector<Token>& tokens, std::size_t at) const;
   /// The singular name of a type of room.
   Reading room_at(const std::vector<Token>& tokens, std::size_t at) const;

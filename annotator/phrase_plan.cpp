@@ -20,7 +20,7 @@ std::string pair_key(const std::string& variable, const Domain& domain, const Fo
 
 }  // namespace
 
-PhrasePlanner::PhrasePlanner(const std::vector<Formula>& start) {
+PhrasePlanner::PhrasePlanner(const std::vector<Formula>& start, HomeCounts home) : home_(home) {
   for (const Formula& f : start) {
     if (f.op != Op::Count || f.comparison != Comparison::Equal || f.number != 2) continue;
     pairs_.insert(pair_key(f.variable, f.domain, f.children[0]));
@@ -52,13 +52,14 @@ NounPhrase PhrasePlanner::reference(const std::string& variable, const Formula& 
 void PhrasePlanner::describe(NounPhrase& phrase, const Domain& domain, const std::string& variable) {
   phrase.noun = domain;
   phrase.noun.where.clear();
+  phrase.there = home_.members(domain, variable).size();
+  phrase.two = phrase.there == 2;
   if (domain.where.empty()) return;
-  if (!pairs_.empty()) {
-    const bool size = std::any_of(domain.where.begin(), domain.where.end(), [](const Formula& where) {
-      return where.op == Op::Atom && where.predicate == Predicate::Size;
-    });
-    phrase.two = pairs_.contains(pair_key(variable, phrase.noun, size ? Formula{} : domain.where[0]));
-  }
+  const bool size = std::any_of(domain.where.begin(), domain.where.end(), [](const Formula& where) {
+    return where.op == Op::Atom && where.predicate == Predicate::Size;
+  });
+  if (size) phrase.two = home_.members(phrase.noun, variable).size() == 2;
+  phrase.two |= pairs_.contains(pair_key(variable, phrase.noun, size ? Formula{} : domain.where[0]));
   for (const Formula& part : scattered(domain.where[0], variable)) {
     auto modifier = complement(part, variable, Determiner::New);
     if (!modifier) modifier = converse(part, variable);

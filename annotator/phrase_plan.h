@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "annotator/clause.h"
+#include "annotator/home_counts.h"
 #include "core/result.h"
 
 namespace unietp {
@@ -17,8 +18,8 @@ class PhrasePlanner {
  public:
   using Scope = std::map<std::string, Domain>;
 
-  /// `start`: where it says that there are exactly two of something, a phrase may say "both".
-  explicit PhrasePlanner(const std::vector<Formula>& start);
+  /// Where the home or `start` has exactly two of something, a phrase may say "both".
+  explicit PhrasePlanner(const std::vector<Formula>& start, HomeCounts home = {});
 
   /// Variables that denote one object throughout the current clause.
   Scope& scope() { return scope_; }
@@ -45,6 +46,7 @@ class PhrasePlanner {
   void describe(NounPhrase& phrase, const Domain& domain, const std::string& variable);
   std::optional<Complement> converse(const Formula& f, const std::string& variable);
 
+  HomeCounts home_;
   std::set<std::string> pairs_;  // of what the start has exactly two of
   Scope scope_;
   std::optional<Error> error_;

@@ -20,7 +20,7 @@ using Op = Formula::Op;
 class Planner {
  public:
   Planner(const std::vector<Formula>& start, PlanOptions options, Rng rng)
-      : choosing_(options.choosing), everyday_(options.everyday), rng_(rng), phrases_(start) {
+      : choosing_(options.choosing), everyday_(options.everyday), rng_(rng), phrases_(start, options.home) {
     if (options.conditions) conditions_ = conditions_of(start);
   }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "annotator/clause.h"
+#include "annotator/home_counts.h"
 #include "core/result.h"
 #include "core/rng.h"
 
@@ -24,6 +25,7 @@ struct PlanOptions {
   bool conditions = false;  // fill in Plan::conditions
   bool everyday = false;    // says the order of two things with the things themselves
   bool exactly = false;     // operator by operator, as one proposition: any goal has such words
+  HomeCounts home = {};
 };
 
 /// Deterministic in rng, which chooses among equal orders and groupings. `goal` is `expanded` (meaning.h), or,

@@ -117,6 +117,7 @@ class Speller {
     phrase.determiner = determiner;
     phrase.number = number;
     phrase.two = false;
+    phrase.there = 0;
     said.phrases = {std::move(phrase)};
     said.parts = {of(f.children[0])};
     phrases_.scope() = outside;

@@ -73,7 +73,7 @@ void PhraseReader::expect(std::string_view words) {
 
 bool PhraseReader::phrase_comes() const {
   for (const char* start : {"a", "an", "one", "the", "that", "some", "any", "every", "each", "all", "both", "no",
-                            "exactly", "precisely", "another", "it", "you"})
+                            "exactly", "precisely", "another", "it", "them", "you"})
     if (peek() == start) return true;
   for (const char* start : {"at least", "at most"})
     if (comes(start)) return number_in(peek(2)).has_value();
@@ -98,7 +98,7 @@ NounPhrase PhraseReader::phrase() {
     return read;
   }
   if (needed_for_occasion(read) || slice_of_it(read)) return read;
-  if (accept("it")) {
+  if (accept_one({"it", "them"}) >= 0) {
     read.determiner = Determiner::It;
     return read;
   }
@@ -216,13 +216,10 @@ int PhraseReader::number() {
 NounPhrase PhraseReader::noun_after(NounPhrase read, bool plural) {
   std::optional<Complement> front;
   auto noun = lexicon_.noun_at(tokens_, at_);
-  if (noun.length == 0) {
-    front = adjective();
-    if (front) {
-      ++at_;
-      read.modifiers.push_back(*front);
-      noun = lexicon_.noun_at(tokens_, at_);
-    }
+  while (noun.length == 0 && (front = adjective())) {
+    ++at_;
+    read.modifiers.push_back(*front);
+    noun = lexicon_.noun_at(tokens_, at_);
   }
   if (!plural && room_before_noun(read)) noun = lexicon_.noun_at(tokens_, at_);
   const bool again = !plural && noun.length == 0 && one_again(read);
@@ -333,6 +330,8 @@ void PhraseReader::direct_description(NounPhrase& read) {
   } else if (accept("on which")) {
     read.modifiers.push_back({P::On, false, "", {phrase()}, true});
     expect("stands");
+  } else if (bare_rooms_ && room_comes()) {
+    read.modifiers.push_back(complement());
   } else if (bare_places_ &&
              std::any_of(kBarePlaces.begin(), kBarePlaces.end(), [&](auto words) { return comes(words); })) {
     bare_places_ = false;
@@ -349,6 +348,8 @@ void PhraseReader::direct_description(NounPhrase& read) {
     read.done.push_back(std::move(done));
   }
 }
+
+bool PhraseReader::room_comes() const { return comes("in the") && lexicon_.room_at(tokens_, at_ + 2).length > 0; }
 
 std::vector<NounPhrase> PhraseReader::phrases(bool& any) {
   std::vector<NounPhrase> read{phrase()};

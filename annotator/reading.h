@@ -57,6 +57,8 @@ class PhraseReader {
   void set_occasion(const Domain& needed) { occasion_ = needed; }
   /// From here on a place after a noun describes it: "open the drawer in the kitchen".
   void set_bare_places(bool bare) { bare_places_ = bare; }
+  /// The same of rooms alone: "put a mug on the table in the kitchen".
+  void set_bare_rooms(bool bare) { bare_rooms_ = bare; }
   /// Whether a comma alone goes on with what is said of something; "before you put it there, open a fridge" does not.
   void set_comma_lists(bool lists) { comma_lists_ = lists; }
   /// "clean and on that table", "either in a box or on a table"
@@ -76,6 +78,7 @@ class PhraseReader {
   bool one_again(NounPhrase& phrase);
   void left_out(NounPhrase& phrase);
   void direct_description(NounPhrase& phrase);
+  bool room_comes() const;
   std::optional<Complement> adjective() const;
   std::optional<Predicate> preposition();
   Complement relation(Predicate predicate);
@@ -87,7 +90,7 @@ class PhraseReader {
   std::vector<Domain> named_;  // what "the red one" may be one of
   int depth_ = 0;              // of descriptions, whose nouns it cannot be
   std::size_t at_ = 0;
-  bool bare_places_ = false, comma_lists_ = true;
+  bool bare_places_ = false, bare_rooms_ = false, comma_lists_ = true;
   std::optional<Error> error_;
 };
 

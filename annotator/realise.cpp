@@ -284,7 +284,8 @@ std::optional<std::string> fact_sentence(const NounPhrase& thing, Naming& naming
 
 std::optional<std::string> realise(const Plan& plan, const NounTable& lexicon, const Wording& wording, Rng rng) {
   auto text = Realiser(plan, lexicon, wording, rng).text();
-  if (text && text->find(" that that ") != std::string::npos) return std::nullopt;  // right, and hard to read
+  for (const char* twice : {" that that ", " it in it", " it on it"})  // right, and hard to read
+    if (text && text->find(twice) != std::string::npos) return std::nullopt;
   return text;
 }
 

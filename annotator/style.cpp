@@ -155,6 +155,7 @@ constexpr std::array kMarks = {
     Mark{Style::Anaphora, "it"},
     Mark{Style::Anaphora, "that"},
     Mark{Style::Negation, "isn't"},
+    Mark{Style::Negation, "don't"},
 };
 
 std::string aside_fault(const std::vector<Token>& words, const Formula& goal, const std::vector<std::string>& around,

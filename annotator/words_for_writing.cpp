@@ -109,6 +109,10 @@ const WritingRow& row_of(Predicate predicate) {
 
 std::string state_word(Predicate predicate) { return std::string(row_of(predicate).state); }
 
+std::string made_so(Predicate predicate) {
+  return predicate == P::Hot ? "heated" : predicate == P::Cool ? "chilled" : predicate == P::Clean ? "washed" : "";
+}
+
 std::string before_object(Predicate predicate) { return std::string(row_of(predicate).preposition); }
 
 std::vector<std::string> verbs(const Complement& said) {

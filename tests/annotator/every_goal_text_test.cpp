@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -110,7 +111,7 @@ TEST(EveryGoal, SaysPlainlyWhatCanBeSaidPlainly) {
                                   FormulaUse::Goal);
   ASSERT_TRUE(goal) << format(goal.error());
   const std::string text = words_of(*goal, small_knowledge(), 4);
-  EXPECT_NE(text.find("ut a mug on a table"), std::string::npos) << text;
+  EXPECT_THAT(text, ::testing::ContainsRegex("(Put|Place|Set) a mug on a table"));
   EXPECT_NE(text.find("if the mug is "), std::string::npos) << text;
   EXPECT_EQ(text.find("for some"), std::string::npos) << text;
 }

@@ -2,17 +2,23 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "annotator/everyday_names.h"
+#include "annotator/home_counts.h"
 #include "annotator/meaning.h"
 #include "annotator/noun_table.h"
-#include "annotator/only_ones.h"
+#include "core/text.h"
+#include "scene/trace.h"
 #include "small_knowledge.h"
 
 namespace unietp {
 namespace {
 
 using ::testing::Contains;
+using ::testing::Each;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using testing_support::asking;
 using testing_support::small_knowledge;
 
@@ -118,15 +124,73 @@ TEST(Idioms, WithOneWordChangedMeanSomethingElse) {
     EXPECT_FALSE(check_instruction(text, asking(kSaid[of].goal, "direct"), knowledge).empty()) << text;
 }
 
-TEST(OnlyOnes, AreTheSameForAllAndForSome) {
+/// A home of things called "table_1", of a kind and in a state each.
+Scene home_of(std::initializer_list<std::pair<const char*, const char*>> kinds) {
+  Scene home;
+  for (const auto& [kind, state] : kinds) {
+    Node node;
+    node.id = lower(kind) + "_" + std::to_string(home.nodes.size() + 1);
+    node.category = kind;
+    if (*state != '\0') node.states.set({*predicate_named(state), ""});
+    home.nodes.push_back(node);
+  }
+  return home;
+}
+
+TEST(HomeCounts, MakeAllAndSomeOfOneThingTheSame) {
   const auto goal = [](const char* text) { return *parse_formula("test", text, FormulaUse::Goal); };
-  const std::vector<std::string> alone{"Table"};
-  const auto named = [&](const char* text) { return expanded(with_names_of_only_ones(goal(text), alone)); };
+  const Trace start = to_logic(home_of({{"Table", ""}, {"Mug", "dirty"}, {"Mug", "clean"}}), {});
+  const auto here = [&](const char* text) { return expanded(as_in_home(goal(text), HomeCounts(start))); };
   const char* all = "(forall (?m - Mug) (forall (?t - Table) (at-end (not (on ?m ?t)))))";
-  EXPECT_TRUE(same_expanded(named(all), named("(exists (?t - Table) (at-end (forall (?m - Mug) (not (on ?m ?t)))))")));
-  EXPECT_FALSE(same_expanded(named(all), named("(exists (?t - Table) (at-end (exists (?m - Mug) (not (on ?m ?t)))))")));
-  EXPECT_FALSE(same_expanded(named("(forall (?m - Mug) (at-end (clean ?m)))"),
-                             named("(exists (?m - Mug) (at-end (clean ?m)))")));
+  EXPECT_TRUE(same_expanded(here(all), here("(exists (?t - Table) (at-end (forall (?m - Mug) (not (on ?m ?t)))))")));
+  EXPECT_FALSE(same_expanded(here(all), here("(exists (?t - Table) (at-end (exists (?m - Mug) (not (on ?m ?t)))))")));
+  EXPECT_FALSE(
+      same_expanded(here("(forall (?m - Mug) (at-end (clean ?m)))"), here("(exists (?m - Mug) (at-end (clean ?m)))")));
+  EXPECT_TRUE(same_expanded(here("(forall (?m - (Mug :where (dirty ?m))) (at-end (clean ?m)))"),
+                            here("(exists (?m - (Mug :where (dirty ?m))) (at-end (clean ?m)))")));
+  EXPECT_FALSE(same_expanded(here("(forall (?m - (Mug :where (dirty ?m))) (at-end (clean ?m)))"),
+                             here("(exists (?m - (Mug :where (clean ?m))) (at-end (clean ?m)))")));
+  EXPECT_TRUE(same_expanded(here("(at-end (count = 2 (?m - Mug) (clean ?m)))"),
+                            here("(forall (?m - Mug) (at-end (clean ?m)))")));
+  EXPECT_FALSE(same_expanded(here("(at-end (count <= 2 (?m - Mug) (clean ?m)))"),
+                             here("(forall (?m - Mug) (at-end (clean ?m)))")));
+}
+
+TEST(HomeCounts, AreWhatATextSaysOfOneTwoAndMore) {
+  const Knowledge knowledge = small_knowledge();
+  const NounTable nouns(knowledge);
+  const Scene home = home_of({{"Table", ""},
+                              {"Mug", "dirty"},
+                              {"Bowl", "clean"},
+                              {"Bowl", "dirty"},
+                              {"Fridge", "open"},
+                              {"Fridge", "closed"},
+                              {"Apple", ""},
+                              {"Apple", ""},
+                              {"Apple", ""}});
+  constexpr std::array<const char*, 3> kSaidHere[] = {
+      {"(forall (?m - Mug) (at-end (clean ?m)))", "the mug.", "all"},
+      {"(forall (?m - (Bowl :where (dirty ?m))) (at-end (clean ?m)))", "the dirty bowl.", "all"},
+      {"(forall (?m - Bowl) (at-end (clean ?m)))", "both bowls", "all"},
+      {"(exists (?t - Table) (at-end (count = 2 (?m - Bowl) (on ?m ?t))))", "both bowls on the table.", "exactly"},
+      {"(exists (?t - Table) (at-end (count = 3 (?m - Apple) (on ?m ?t))))", "all the apples on the table.", "exactly"},
+      {"(exists (?t - Table) (at-end (count = 2 (?m - Apple) (on ?m ?t))))", "two apples on the table.", "all"},
+      {"(exists (?t - Table) (at-end (count = 0 (?m - Mug) (on ?m ?t))))", "ake the mug off the table", "all"},
+      {"(and (exists (?f - (Fridge :where (open ?f))) (at-end (closed ?f)))"
+       " (forall (?y - (Fridge :where (closed ?y))) (always (closed ?y))))",
+       "the other one", "others"}};
+  for (const auto& [goal, words, never] : kSaidHere) {
+    std::vector<std::string> texts;
+    WritingOptions options;
+    options.home = &home;
+    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+      const auto written = write_instruction(asking(goal), knowledge, nouns, options, Rng(seed));
+      ASSERT_TRUE(written) << goal << ": " << format(written.error());
+      texts.push_back(written->text);
+    }
+    EXPECT_THAT(texts, Contains(HasSubstr(words))) << goal;
+    EXPECT_THAT(texts, Each(Not(HasSubstr(never)))) << goal;
+  }
 }
 
 TEST(EverydayNames, AreThoseOfOneEnglishAndBothAreRead) {

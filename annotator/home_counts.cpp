@@ -1,0 +1,86 @@
+#include "annotator/home_counts.h"
+
+#include <algorithm>
+#include <string>
+
+namespace unietp {
+namespace {
+
+using Op = Formula::Op;
+
+void name(Formula& formula, const std::string& variable, const Term& thing) {
+  for (Term& term : formula.terms)
+    if (term.kind == Term::Kind::Variable && term.name == variable) term = thing;
+  if (formula.variable == variable) return;
+  for (Formula& where : formula.domain.where) name(where, variable, thing);
+  for (Formula& child : formula.children) name(child, variable, thing);
+}
+
+/// "Exactly two" or "at least two" of two.
+bool asks_for_all(const Formula& f, std::size_t there) {
+  const bool enough = f.comparison == Comparison::Equal || f.comparison == Comparison::AtLeast;
+  return f.op == Op::Count && enough && there > 0 && f.number == static_cast<int>(there);
+}
+
+Formula of_all(Formula count) {
+  count.op = Op::Forall;
+  count.number = 0;
+  count.comparison = Comparison::Equal;
+  return count;
+}
+
+bool denies(const Formula& f) {
+  return f.op == Op::Not || f.op == Op::Always || f.op == Op::Until ||
+         std::any_of(f.children.begin(), f.children.end(), denies);
+}
+
+/// "Put all the bowls on the table, and only then the mug.": what is kept until then and what comes then are one.
+bool has_until(const Formula& f) {
+  return f.op == Op::Until || std::any_of(f.children.begin(), f.children.end(), has_until);
+}
+
+bool is_what_is_not(const Domain& domain) { return !domain.where.empty() && domain.where[0].op == Op::Not; }
+
+}  // namespace
+
+std::vector<EntityIndex> HomeCounts::members(const Domain& domain, const std::string& variable) const {
+  const bool one_kind = domain.kind == Domain::Kind::Categories && domain.members.size() == 1;
+  if (start_ == nullptr || !one_kind || domain.members[0].slice) return {};
+  for (const Formula& where : domain.where)
+    for (const std::string& free : free_variables(where))
+      if (free != variable) return {};
+  return members_of(domain, variable, *start_);
+}
+
+Formula as_in_home(const Formula& goal, const HomeCounts& home) {
+  const bool binds = goal.op == Op::Exists || goal.op == Op::Forall || goal.op == Op::Count;
+  if (binds) {
+    const auto there = home.members(goal.domain, goal.variable);
+    if (asks_for_all(goal, there.size())) return as_in_home(of_all(goal), home);
+    if (there.size() == 1 && goal.op != Op::Count) {
+      Formula body = goal.children[0];
+      // No symbol has a colon.
+      name(body, goal.variable, {Term::Kind::Symbol, ":" + std::to_string(there[0].index())});
+      return as_in_home(body, home);
+    }
+  }
+  Formula result = goal;
+  for (Formula& where : result.domain.where) where = as_in_home(where, home);
+  for (Formula& child : result.children) child = as_in_home(child, home);
+  return result;
+}
+
+Formula plainly_in_home(const Formula& goal, const HomeCounts& home) {
+  if (goal.op == Op::Always || has_until(goal)) return goal;
+  Formula result = goal;
+  if (goal.op == Op::Forall || goal.op == Op::Count) {
+    const auto there = home.members(goal.domain, goal.variable);
+    if (asks_for_all(goal, there.size())) result = of_all(result);
+    if (result.op == Op::Forall && there.size() == 1 && !denies(goal.children[0]) && !is_what_is_not(goal.domain))
+      result.op = Op::Exists;
+  }
+  for (Formula& child : result.children) child = plainly_in_home(child, home);
+  return result;
+}
+
+}  // namespace unietp
