@@ -84,7 +84,7 @@ class Landmarks {
     for (const auto& landmark : single_objects(offer_)) {
       const auto* category = knowledge_.find(landmark);
       if (category == nullptr || category->movable || !category->countable || is_named(landmark)) continue;
-      if (!is_near_in_a_room(landmark)) continue;
+      if (!have_a_room_in_common(*category) || !is_near_in_a_room(landmark)) continue;
       found.push_back(related(Predicate::Nearest, landmark, Referring::ByNearness));
       found.back().start.push_back(only_one(landmark));
     }
@@ -97,6 +97,13 @@ class Landmarks {
   }
   bool usable(const std::string& category) const {
     return !is_named(category) && (offer_.now.states.empty() || number_of(offer_, category) > 0);
+  }
+  /// Whether such things and the landmark are usual in one type of room: nobody looks for clothes near an oven.
+  bool have_a_room_in_common(const Category& landmark) const {
+    const auto& rooms = knowledge_.find(variable_.category)->rooms;
+    return std::any_of(rooms.begin(), rooms.end(), [&](const std::string& room) {
+      return std::find(landmark.rooms.begin(), landmark.rooms.end(), room) != landmark.rooms.end();
+    });
   }
   /// Whether the nearest of the things is in the landmark's room now: what is near through a wall is not near to
   /// people.

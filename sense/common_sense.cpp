@@ -20,17 +20,16 @@ Grade grade_of(double score) {
   return score >= kUsual ? Grade::Usual : score >= kTolerable ? Grade::Tolerable : Grade::Senseless;
 }
 
+constexpr std::string_view kNextTo = "next_to:", kMaterialMark = "material:", kOnFloor = "on:floor",
+                           kInRoom = "in_room:";
+
 /// True for roles that are not wrong only because nobody spoke of them.
-bool is_neutral(std::string_view role) {
-  return role.find('>') != std::string_view::npos || role.starts_with("in_room:");
-}
+bool is_neutral(std::string_view role) { return role.find('>') != std::string_view::npos || role.starts_with(kInRoom); }
 
 bool matches(std::string_view pattern, std::string_view role) {
   if (!pattern.ends_with('*')) return pattern == role;
   return role.starts_with(pattern.substr(0, pattern.size() - 1));
 }
-
-constexpr std::string_view kNextTo = "next_to:", kMaterialMark = "material:", kOnFloor = "on:floor";
 
 Sense refused_by(const SenseRule& rule) {
   return {Grade::Senseless, 0, {"rule " + rule.name + ": " + rule.reason}, "rule:" + rule.name};
@@ -63,6 +62,9 @@ CommonSense::CommonSense(Kinds kinds, CategoryKinds categories, Judgments judgme
       evidence_(evidence),
       special_(std::move(special)),
       companions_(std::move(companions)) {
+  for (const auto& [of, grade] : judgments_) {
+    if (of.second.starts_with(kInRoom)) in_rooms_.insert(of.second);
+  }
   for (std::size_t i = 0; i < evidence_.size(); ++i) {
     const Evidence& row = evidence_[i];
     for (const Kind* kind : kinds_.lineage(row.thing)) {
@@ -244,6 +246,14 @@ Sense CommonSense::grade(const Thing& thing, const Role& asked) const {
 Sense CommonSense::found(const Thing& thing, const Role& place) const {
   if (const auto* rule = broken(thing, "found:" + place)) return refused_by(*rule);
   return {Grade::Usual, 1, {}, ""};
+}
+
+Sense CommonSense::near(const Thing& thing, const Thing& landmark) const {
+  for (const Role& room : in_rooms_) {
+    if (grade(thing, room).grade == Grade::Usual && grade(landmark, room).grade == Grade::Usual)
+      return {Grade::Usual, 1, {"both are usual " + room}, "shared"};
+  }
+  return {Grade::Tolerable, kNeutral, {"the two are usual in no room together"}, "apart"};
 }
 
 bool CommonSense::belongs(const Thing& thing, const std::string& place) const {

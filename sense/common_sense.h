@@ -3,6 +3,7 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,9 +25,10 @@ struct Sense {
   std::string why = {};  // the same in a word: one of kWhys, or "rule:" and the rule's name
 };
 /// What a grade rests on: a person's judgment of the kind or a wider one, what people wrote of it, that two things have
-/// a place in common, that two wants have nothing to do with one another, that something is taken away from where it
-/// is, or nothing.
-inline constexpr std::array<std::string_view, 6> kWhys{"judged", "written", "shared", "apart", "cleared", "unspoken"};
+/// a place in common, that two wants have nothing to do with one another, that a thing is dirty, that something is
+/// taken away from where it is, or nothing.
+inline constexpr std::array<std::string_view, 7> kWhys{"judged", "written", "shared",  "apart",
+                                                       "dirty",  "cleared", "unspoken"};
 /// The worse of two; the reasons of both when they are equal.
 Sense worse_of(Sense a, Sense b);
 
@@ -63,6 +65,8 @@ class CommonSense {
   Sense grade(const Thing& thing, const Role& role) const;
   /// The rules on where a thing may be found before a task: roles such as `found:in:trash_can`. Usual when none speaks.
   Sense found(const Thing& thing, const Role& place) const;
+  /// Whether people would tell a thing by what it is near: usual where both are usual in one type of room.
+  Sense near(const Thing& thing, const Thing& landmark) const;
   /// True when the thing is at home on or in a place or machine, so that opening this one may be for its sake.
   bool belongs(const Thing& thing, const std::string& place) const;
   /// True when some rule looks at this material.
@@ -96,6 +100,7 @@ class CommonSense {
   std::vector<Evidence> evidence_;
   SpecialPlaces special_;
   Companions companions_;
+  std::set<Role> in_rooms_;                                       // all roles of being in a room that are judged
   std::map<std::pair<std::string, Role>, Count> counts_;          // of a kind and all narrower ones
   std::map<std::pair<std::string, std::string>, double> totals_;  // of a kind and a family
 };

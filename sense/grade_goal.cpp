@@ -3,71 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 
 #include "core/text.h"
+#include "sense/deeds.h"
 #include "sense/wants.h"
 
 namespace unietp {
 namespace {
-
-/// What bringing a state about is called; "" for states that nobody asks for as such.
-std::string_view deed_of(Predicate predicate) {
-  using enum Predicate;
-  switch (predicate) {
-    case Open:
-      return "open";
-    case Closed:
-      return "close";
-    case PowerOn:
-      return "switch_on";
-    case PowerOff:
-      return "switch_off";
-    case Clean:
-      return "wash";
-    case Dirty:
-      return "soil";
-    case Hot:
-      return "heat";
-    case Predicate::Cool:
-      return "cool";
-    case Cooked:
-      return "cook";
-    case Burnt:
-      return "burn";
-    case Frozen:
-      return "freeze";
-    case Sliced:
-      return "slice";
-    case Empty:
-      return "empty";
-    case Soaked:
-      return "soak";
-    case Dry:
-      return "dry";
-    case UsedUp:
-      return "use_up";
-    case Broken:
-      return "break";
-    case Folded:
-      return "fold";
-    case Unfolded:
-      return "unfold";
-    case PluggedIn:
-      return "plug_in";
-    case Unplugged:
-      return "unplug";
-    case Held:
-      return "hold";
-    case SatOn:
-      return "sit";
-    case LainOn:
-      return "lie";
-    case Predicate::Read:
-      return "read";
-    default:
-      return "";
-  }
-}
 
 bool is_place(const Want& want) {
   return (want.predicate == Predicate::On || want.predicate == Predicate::Inside) && !want.negated;
@@ -128,6 +71,16 @@ std::vector<Want> with_carried(std::vector<Want> piece, const Wants& whole) {
 /// Kinds of places in which things are kept.
 constexpr std::array<std::string_view, 6> kKeepers{"cabinet", "drawer", "fridge", "freezer", "wardrobe", "dresser"};
 
+/// Kinds of places where dirty things go; the first of them may be dirty themselves.
+constexpr std::array<std::string_view, 9> kForDirt{"sink",    "dishwasher", "washer",  "hamper", "trash_can",
+                                                   "bathtub", "floor_tool", "counter", "stove"};
+constexpr std::size_t kDirtyThemselves = 7;
+
+/// True when the one says that a thing is dirty of which, or onto which, something is wanted.
+bool concerns(const Want& want, const Want& dirt) {
+  return dirt.predicate == Predicate::Dirty && (want.thing == dirt.thing || want.other == dirt.thing);
+}
+
 /// A want about one category, in words and as a role.
 struct Asked {
   Role role;
@@ -142,6 +95,11 @@ class GoalGrader {
   TaskSense grade() {
     for (const auto& want : wants_.wants) part(want);
     for (const auto& want : wants_.found) found(want);
+    for (const auto& dirt : wants_.found) {
+      for (const auto& want : wants_.wants) {
+        if (concerns(want, dirt)) used_dirty(want, dirt);
+      }
+    }
     for (std::size_t i = 0; i < wants_.wants.size(); ++i) {
       for (std::size_t j = i + 1; j < wants_.wants.size(); ++j) {
         if (!go_together(wants_.wants[i], wants_.wants[j])) continue;
@@ -314,17 +272,37 @@ class GoalGrader {
     }
   }
 
-  /// Where a thing is found before the task.
+  /// Where a thing is found before the task, and what tells it from others.
   void found(const Want& want) {
     if (!want.other) return;
-    const auto* relation = want.predicate == Predicate::On ? "on" : "in";
+    const bool near = want.predicate == Predicate::Nearest || want.predicate == Predicate::NextTo;
+    const auto* relation = near ? "near" : want.predicate == Predicate::On ? "on" : "in";
     for (const auto& thing : things_of(want.thing)) {
       for (const auto& place : things_of(*want.other)) {
         if (thing.kind.empty() || place.kind.empty()) continue;
-        auto sense = sense_.found(thing, sense_.kinds().place_role(relation, place.kind));
+        auto sense =
+            near ? sense_.near(thing, place) : sense_.found(thing, sense_.kinds().place_role(relation, place.kind));
         if (sense.grade != Grade::Usual) keep(thing.words + " found " + relation + " " + place.words, std::move(sense));
       }
     }
+  }
+
+  /// What is dirty is washed, wiped or carried to where that is done; nobody eats from it or puts it away.
+  void used_dirty(const Want& want, const Want& dirt) {
+    const auto& kinds = sense_.kinds();
+    const auto for_dirt = [&](const Thing& place) {
+      const bool on_it = want.other == dirt.thing;  // a dirty counter is no place for anything
+      const auto list = std::span(kForDirt).first(on_it ? kDirtyThemselves : kForDirt.size());
+      return std::any_of(list.begin(), list.end(), [&](std::string_view kind) { return kinds.is_a(place.kind, kind); });
+    };
+    const bool uses = want.predicate == Predicate::Filled || want.predicate == Predicate::Hot;
+    if (!uses && !is_place(want)) return;
+    if (is_place(want)) {
+      const auto places = things_of(*want.other);
+      if (std::all_of(places.begin(), places.end(), for_dirt)) return;
+    }
+    for (const auto& thing : things_of(dirt.thing))
+      keep("use dirty " + thing.words, {Grade::Tolerable, 0.3, {"nobody is to wash it first"}, "dirty"});
   }
 
   /// Opening or switching on something in a task that puts a thing elsewhere which never goes there.
@@ -396,7 +374,12 @@ class GoalGrader {
 std::vector<Wants> pieces_of(const Wants& wants) {
   std::vector<Wants> pieces;
   for (const Want& want : wants.wants) pieces.push_back(piece_of(wants, with_carried({want}, wants), {}));
-  for (const Want& want : wants.found) pieces.push_back(piece_of(wants, {}, {want}));
+  for (const Want& found : wants.found) {
+    if (found.other) pieces.push_back(piece_of(wants, {}, {found}));
+    for (const Want& want : wants.wants) {
+      if (concerns(want, found)) pieces.push_back(piece_of(wants, {want}, {found}));
+    }
+  }
   for (std::size_t i = 0; i < wants.wants.size(); ++i) {
     for (std::size_t j = i + 1; j < wants.wants.size(); ++j) {
       if (go_together(wants.wants[i], wants.wants[j]))

@@ -7,6 +7,12 @@
 namespace unietp {
 namespace {
 
+/// What of a `:where` is looked at: the places of things, what they are near, and that they are dirty.
+bool tells_of_the_start(Predicate predicate) {
+  using enum Predicate;
+  return predicate == On || predicate == Inside || predicate == NextTo || predicate == Nearest || predicate == Dirty;
+}
+
 class Collector {
  public:
   void read(const Formula& part, bool negated) {
@@ -90,8 +96,7 @@ class Collector {
       want.other = thing(part.terms[1]);
       if (part.terms[1].kind == Term::Kind::Symbol) want.symbol = part.terms[1].name;
     }
-    const bool placed = part.predicate == Predicate::On || part.predicate == Predicate::Inside;
-    if (where_ && (!placed || negated)) return;
+    if (where_ && (negated || !tells_of_the_start(part.predicate))) return;
     auto& list = where_ ? wants.found : wants.wants;
     if (std::find(list.begin(), list.end(), want) == list.end()) list.push_back(want);
   }

@@ -22,7 +22,7 @@ struct Want {
 struct Wants {
   std::vector<Domain> things;  // what the goal's variables range over
   std::vector<Want> wants;     // each once
-  std::vector<Want> found;     // where a `:where` says that things are before the task: relations of place alone
+  std::vector<Want> found;     // what a `:where` says of things before the task: where they are, near what, and dirt
   bool moves_agent = false;    // the agent itself is to be somewhere
 };
 

@@ -270,7 +270,8 @@ TEST(RefineReferring, KeepsToStatesThatTheSimulatorShows) {
 
 TEST(RefineReferring, LeavesNumbersWithAnUpperLimitAlone) {
   const auto knowledge = small_home(Simulator::Ai2thor);
-  const auto& source = library_template("two-and-at-most-one-on");
+  auto source = library_template("two-and-at-most-one-on");
+  std::erase_if(source.constraints, [](const auto& one) { return one.type == ConstraintType::Kind; });
   const auto plain = instantiate(source, knowledge, *sample_binding(source, knowledge, {}, Rng(1)));
   ASSERT_TRUE(plain);
   for (std::uint64_t seed = 0; seed < 10; ++seed) {

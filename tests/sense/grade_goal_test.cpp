@@ -70,6 +70,35 @@ TEST(GradeGoal, NobodyUsesWhatWasThrownAway) {
       Grade::Senseless);
 }
 
+TEST(GradeGoal, ThingsAreToldByWhatIsUsualInTheSameRoom) {
+  const auto goal = [](const std::string& relation, const std::string& landmark) {
+    return "(exists (?a - (clothes :where (exists (?p - " + landmark + ") (" + relation +
+           " ?a ?p)))) (exists (?b - wardrobe) (at-end (inside ?a ?b))))";
+  };
+  for (const auto* relation : {"nearest", "next_to"}) {
+    EXPECT_EQ(graded(goal(relation, "bed"), Simulator::Habitat).grade, Grade::Usual) << relation;
+    const auto odd = graded(goal(relation, "oven"), Simulator::Habitat);
+    EXPECT_EQ(odd.grade, Grade::Tolerable) << relation;
+    EXPECT_EQ(odd.parts.front().sense.why, "apart");
+  }
+}
+
+TEST(GradeGoal, NobodyUsesWhatIsDirtyOrPutsItAway) {
+  const auto goal = [](const std::string& what) { return "(exists (?a - (Mug :where (dirty ?a))) " + what + ")"; };
+  EXPECT_EQ(graded(goal("(at-end (clean ?a))")).grade, Grade::Usual);
+  EXPECT_EQ(graded(goal("(exists (?b - Sink) (at-end (inside ?a ?b)))")).grade, Grade::Usual);
+  for (const auto* what : {"(at-end (filled ?a coffee))", "(exists (?b - Cabinet) (at-end (inside ?a ?b)))"}) {
+    const auto used = graded(goal(what));
+    EXPECT_EQ(used.grade, Grade::Tolerable) << what;
+    EXPECT_EQ(used.parts.front().sense.why, "dirty");
+  }
+  const auto onto = [](const std::string& plate) {
+    return "(exists (?a - Potato) (exists (?b - " + plate + ") (at-end (on ?a ?b))))";
+  };
+  EXPECT_EQ(graded(onto("Plate")).grade, Grade::Usual);
+  EXPECT_EQ(graded(onto("(Plate :where (dirty ?b))")).grade, Grade::Tolerable);
+}
+
 TEST(GradeGoal, SlicesAreGradedAsSlices) {
   EXPECT_EQ(graded("(exists (?s - Lettuce/slice) (at-end (hot ?s)))").grade, Grade::Senseless);
   EXPECT_EQ(graded("(exists (?s - Bread/slice) (at-end (hot ?s)))").grade, Grade::Usual);

@@ -50,6 +50,15 @@ TEST(Wants, WhereSaysWhereThingsAreFound) {
   EXPECT_EQ(wants.things[*wants.found.front().other].members.front().category, "GarbageCan");
 }
 
+TEST(Wants, WhereSaysWhatThingsAreNearAndThatTheyAreDirty) {
+  const auto wants = read(
+      "(exists (?a - (Mug :where (and (dirty ?a) (hot ?a) (not (open ?a)) (exists (?b - Bed) (nearest ?a ?b))))) "
+      "(at-end (clean ?a)))");
+  ASSERT_EQ(wants.found.size(), 2u);
+  EXPECT_EQ(wants.found[0].predicate, Predicate::Dirty);
+  EXPECT_EQ(wants.found[1].predicate, Predicate::Nearest);
+}
+
 TEST(Wants, TheAgentMayBeWhatMoves) {
   EXPECT_TRUE(read("(exists (?r - kitchen) (at-end (in_room agent ?r)))").moves_agent);
   EXPECT_FALSE(read("(exists (?a - Mug) (at-end (held ?a)))").moves_agent);
