@@ -16,7 +16,7 @@ std::size_t position(Style style) { return static_cast<std::size_t>(style); }
 
 /// How many tasks of a style there are for one of another. Goals by function and by kind have many words to be said in,
 /// which more tasks show.
-int share_of(Style style) { return style == Style::Function || style == Style::Hypernym ? 2 : 1; }
+int share_of(Style style) { return style == Style::Function ? 5 : style == Style::Hypernym ? 2 : 1; }
 
 /// The styles that some template of the slot fits and that the slot does not have yet.
 std::vector<Style> open_styles(const TaskSlot& slot, const std::vector<std::vector<Style>>& styles) {

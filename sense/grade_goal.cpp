@@ -76,9 +76,11 @@ constexpr std::array<std::string_view, 9> kForDirt{"sink",    "dishwasher", "was
                                                    "bathtub", "floor_tool", "counter", "stove"};
 constexpr std::size_t kDirtyThemselves = 7;
 
-/// True when the one says that a thing is dirty of which, or onto which, something is wanted.
-bool concerns(const Want& want, const Want& dirt) {
-  return dirt.predicate == Predicate::Dirty && (want.thing == dirt.thing || want.other == dirt.thing);
+/// True when what is known of the start bears on the want: dirt of a thing of which, or onto which, something is
+/// wanted, and the room of a place where something is to go.
+bool concerns(const Want& want, const Want& known) {
+  if (known.predicate == Predicate::Dirty) return want.thing == known.thing || want.other == known.thing;
+  return known.predicate == Predicate::InRoom && is_place(want) && want.other == known.thing;
 }
 
 /// A want about one category, in words and as a role.
@@ -95,9 +97,11 @@ class GoalGrader {
   TaskSense grade() {
     for (const auto& want : wants_.wants) part(want);
     for (const auto& want : wants_.found) found(want);
-    for (const auto& dirt : wants_.found) {
+    for (const auto& known : wants_.found) {
       for (const auto& want : wants_.wants) {
-        if (concerns(want, dirt)) used_dirty(want, dirt);
+        if (!concerns(want, known)) continue;
+        if (known.predicate == Predicate::Dirty) used_dirty(want, known);
+        if (known.predicate == Predicate::InRoom) brought_into(want, known);
       }
     }
     for (std::size_t i = 0; i < wants_.wants.size(); ++i) {
@@ -274,7 +278,7 @@ class GoalGrader {
 
   /// Where a thing is found before the task, and what tells it from others.
   void found(const Want& want) {
-    if (!want.other) return;
+    if (!want.other || want.predicate == Predicate::InRoom) return;
     const bool near = want.predicate == Predicate::Nearest || want.predicate == Predicate::NextTo;
     const auto* relation = near ? "near" : want.predicate == Predicate::On ? "on" : "in";
     for (const auto& thing : things_of(want.thing)) {
@@ -283,6 +287,18 @@ class GoalGrader {
         auto sense =
             near ? sense_.near(thing, place) : sense_.found(thing, sense_.kinds().place_role(relation, place.kind));
         if (sense.grade != Grade::Usual) keep(thing.words + " found " + relation + " " + place.words, std::move(sense));
+      }
+    }
+  }
+
+  /// A thing that goes to a place in a room comes into that room.
+  void brought_into(const Want& want, const Want& known) {
+    for (const auto& thing : things_of(want.thing)) {
+      for (const auto& room : things_of(*known.other)) {
+        if (thing.kind.empty()) continue;
+        auto asked = in_room(thing.words, room);
+        auto sense = sense_.grade(thing, asked.role);
+        if (sense.grade == Grade::Senseless) keep(std::move(asked.words), std::move(sense));
       }
     }
   }
@@ -375,7 +391,7 @@ std::vector<Wants> pieces_of(const Wants& wants) {
   std::vector<Wants> pieces;
   for (const Want& want : wants.wants) pieces.push_back(piece_of(wants, with_carried({want}, wants), {}));
   for (const Want& found : wants.found) {
-    if (found.other) pieces.push_back(piece_of(wants, {}, {found}));
+    if (found.other && found.predicate != Predicate::InRoom) pieces.push_back(piece_of(wants, {}, {found}));
     for (const Want& want : wants.wants) {
       if (concerns(want, found)) pieces.push_back(piece_of(wants, {want}, {found}));
     }

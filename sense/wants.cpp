@@ -7,10 +7,11 @@
 namespace unietp {
 namespace {
 
-/// What of a `:where` is looked at: the places of things, what they are near, and that they are dirty.
+/// What of a `:where` is looked at: the places and rooms of things, what they are near, and that they are dirty.
 bool tells_of_the_start(Predicate predicate) {
   using enum Predicate;
-  return predicate == On || predicate == Inside || predicate == NextTo || predicate == Nearest || predicate == Dirty;
+  return predicate == On || predicate == Inside || predicate == InRoom || predicate == NextTo || predicate == Nearest ||
+         predicate == Dirty;
 }
 
 class Collector {

@@ -99,6 +99,17 @@ TEST(GradeGoal, NobodyUsesWhatIsDirtyOrPutsItAway) {
   EXPECT_EQ(graded(onto("(Plate :where (dirty ?b))")).grade, Grade::Tolerable);
 }
 
+TEST(GradeGoal, WhatGoesToAPlaceComesIntoItsRoom) {
+  const auto goal = [](const std::string& room) {
+    return "(exists (?a - Potato) (exists (?b - (Sink :where (exists (?r - " + room +
+           ") (in_room ?b ?r)))) (at-end (inside ?a ?b))))";
+  };
+  EXPECT_NE(graded(goal("kitchen")).grade, Grade::Senseless);
+  const auto odd = graded(goal("bathroom"));
+  EXPECT_EQ(odd.grade, Grade::Senseless);
+  EXPECT_THAT(odd.parts.front().part, HasSubstr("potato in the bathroom"));
+}
+
 TEST(GradeGoal, SlicesAreGradedAsSlices) {
   EXPECT_EQ(graded("(exists (?s - Lettuce/slice) (at-end (hot ?s)))").grade, Grade::Senseless);
   EXPECT_EQ(graded("(exists (?s - Bread/slice) (at-end (hot ?s)))").grade, Grade::Usual);
