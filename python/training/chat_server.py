@@ -19,15 +19,23 @@ class Answer(NamedTuple):
     written: int
 
 
-def answers(model: Any, tokenizer: Any, chats: list[list[dict[str, str]]], most_tokens: int) -> list[Answer]:
-    """The likeliest answer to each chat."""
+class Request(NamedTuple):
+    messages: list[dict[str, str]]
+    max_tokens: int  # of the answer
+
+
+def answers(model: Any, tokenizer: Any, requests: list[Request]) -> list[Answer]:
+    """The likeliest answer to each request."""
     told = tokenizer.apply_chat_template(
-        chats, add_generation_prompt=True, return_tensors="pt", return_dict=True, padding=True, tokenizer_kwargs={"padding_side": "left"}
+        [request.messages for request in requests], add_generation_prompt=True, return_tensors="pt", return_dict=True, padding=True,
+        tokenizer_kwargs={"padding_side": "left"},
     ).to(model.device)
+    longest = max(request.max_tokens for request in requests)
     with torch.no_grad():
-        said = model.generate(**told, max_new_tokens=most_tokens, do_sample=False)[:, told["input_ids"].shape[1]:].tolist()
+        said = model.generate(**told, max_new_tokens=longest, do_sample=False)[:, told["input_ids"].shape[1]:].tolist()
     found = []
-    for tokens, mask in zip(said, told["attention_mask"], strict=True):
+    for request, tokens, mask in zip(requests, said, told["attention_mask"], strict=True):
+        tokens = tokens[:request.max_tokens]
         ended = tokenizer.eos_token_id in tokens
         tokens = tokens[:tokens.index(tokenizer.eos_token_id) + 1] if ended else tokens
         found.append(Answer(tokenizer.decode(tokens, skip_special_tokens=True), ended, int(mask.sum()), len(tokens)))
@@ -35,9 +43,9 @@ def answers(model: Any, tokenizer: Any, chats: list[list[dict[str, str]]], most_
 
 
 @contextmanager
-def served(model: Any, tokenizer: Any, name: str, most_tokens: int, at_once: int) -> Iterator[str]:
+def served(model: Any, tokenizer: Any, name: str, at_once: int) -> Iterator[str]:
     """Gives the address for --llm-url."""
-    asked: queue.Queue[tuple[list[dict[str, str]], Future[Answer]]] = queue.Queue()
+    asked: queue.Queue[tuple[Request, Future[Answer]]] = queue.Queue()
 
     def work() -> None:
         while True:
@@ -48,7 +56,7 @@ def served(model: Any, tokenizer: Any, name: str, most_tokens: int, at_once: int
                 except queue.Empty:
                     break
             try:
-                for (_, future), one in zip(batch, answers(model, tokenizer, [chat for chat, _ in batch], most_tokens), strict=True):
+                for (_, future), one in zip(batch, answers(model, tokenizer, [request for request, _ in batch]), strict=True):
                     future.set_result(one)
             except Exception as error:  # told to those who wait
                 for _, future in batch:
@@ -58,7 +66,7 @@ def served(model: Any, tokenizer: Any, name: str, most_tokens: int, at_once: int
         def do_POST(self) -> None:
             request = json.loads(self.rfile.read(int(self.headers["Content-Length"])))
             future: Future[Answer] = Future()
-            asked.put((request["messages"], future))
+            asked.put((Request(request["messages"], request["max_tokens"]), future))
             one = future.result()
             choice = {"index": 0, "message": {"role": "assistant", "content": one.text}, "finish_reason": "stop" if one.ended else "length"}
             usage = {"prompt_tokens": one.read, "completion_tokens": one.written, "total_tokens": one.read + one.written}

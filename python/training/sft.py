@@ -120,7 +120,7 @@ def measure(model: Any, tokenizer: Any, chats: datasets.Dataset, names: set[str]
         with torch.no_grad():
             logits = model(ids, logits_to_keep=len(said) + 1).logits[0, :-1]
         loss += torch.nn.functional.cross_entropy(logits.float(), ids[0, len(told):]).item()
-        text = chat_server.answers(model, tokenizer, [messages[:-1]], ANSWER_TOKENS)[0].text
+        text = chat_server.answers(model, tokenizer, [chat_server.Request(messages[:-1], ANSWER_TOKENS)])[0].text
         formed += is_answer(text, names)
         equal += text == messages[-1]["content"]
     return {"chats": len(chats), "loss": loss / len(chats), "correct_form": formed, "as_the_expert": equal}
@@ -165,7 +165,7 @@ def evaluate(chosen: argparse.Namespace, model: Any, tokenizer: Any, name: str) 
     """An evaluation on the first tasks of the benchmark in M1, in chosen.out / name."""
     model.eval()
     at_once = 16 if torch.cuda.is_available() else 1
-    with chat_server.served(model, tokenizer, f"SmolLM2-135M-Instruct {name}", ANSWER_TOKENS, at_once) as url:
+    with chat_server.served(model, tokenizer, f"SmolLM2-135M-Instruct {name}", at_once) as url:
         unietp(
             chosen, "evaluate", chosen.out / "benchmark", "--out", chosen.out / name, "--model", f"SmolLM2-135M-Instruct {name}",
             "--llm-url", url, "--images", "none", "--modes", "M1", "--limit", chosen.evaluate, "--at-once", at_once,
