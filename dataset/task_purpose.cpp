@@ -9,7 +9,8 @@ namespace unietp {
 
 TaskPurpose purpose_of(const Template& source, const Binding& binding, const Knowledge& knowledge) {
   const auto called = [&](const std::string& placeholder) {
-    const auto bound = std::find_if(binding.begin(), binding.end(), [&](const auto& b) { return b.first == placeholder; });
+    const auto bound =
+        std::find_if(binding.begin(), binding.end(), [&](const auto& b) { return b.first == placeholder; });
     if (bound == binding.end()) return placeholder;
     const auto* category = knowledge.find(bound->second);
     return category == nullptr ? replace_all(bound->second, "_", " ") : category->display;

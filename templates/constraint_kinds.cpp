@@ -92,7 +92,8 @@ constexpr auto kKinds = [] {
        {},
        {},
        "(same-kind A B ...)",
-       "these are of a common kind, such as tableware, garments or food; (same-kind A B fruit drink): all are fruit, or "
+       "these are of a common kind, such as tableware, garments or food; (same-kind A B fruit drink): all are fruit, "
+       "or "
        "all are drinks"},
   }};
 }();

