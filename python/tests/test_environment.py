@@ -221,7 +221,7 @@ def test_settings_are_checked(folder):
 def test_rendering(folder):
     env = unietp.make(folder, "M1", picture=False, render_mode="rgb_array")
     env.reset(seed=1)
-    assert env.render().shape == (*env._form.image_shape[:2], 3) and env.render().any()
+    assert env.render().shape == (*env._env_spaces.image_shape[:2], 3) and env.render().any()
     told = unietp.make(folder, "M1", picture=False, render_mode="ansi")
     told.reset(seed=1)
     assert told.render() == told.text()
