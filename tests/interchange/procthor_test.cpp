@@ -101,7 +101,7 @@ TEST(Procthor, WallsAreAsHighAsTheHouseSaysAndAnAgentLooksAheadUnlessItSaysOther
       R"({"x": 4, "y": 3.25, "z": 0}, {"x": 0, "y": 3.25, "z": 0}]})";
   const auto high = read(wall, R"(, "rotation": {"x": 0, "y": 90, "z": 0}, "horizon": 30)");
   EXPECT_NEAR(high.wall_height, 3.25, 1e-9);
-  EXPECT_NEAR(high.agent.pitch, -std::numbers::pi / 6, 1e-6);
+  EXPECT_NEAR(high.agent.pitch, std::numbers::pi / 6, 1e-6);  // down
   const auto usual = read("", "");
   EXPECT_NEAR(usual.wall_height, SourceScene().wall_height, 1e-9);
   const auto turned = read("", R"(, "rotation": {"x": 0, "y": 0, "z": 0})");
