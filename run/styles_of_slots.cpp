@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <tuple>
 
 #include "generator/style_fit.h"
 
@@ -30,10 +32,12 @@ std::vector<Style> open_styles(const TaskSlot& slot, const std::vector<std::vect
   return open;
 }
 
-/// Each slot takes the style dealt least often for its share; among equals the one that fits the fewest slots, then a
-/// random one.
+/// Each slot takes the style dealt least often for its share; among equals the one dealt least often on its simulator,
+/// so that templates for one simulator find their style there, then the one that fits the fewest slots, then a random
+/// one.
 void deal_one_each(std::vector<TaskSlot>& slots, const std::vector<std::vector<Style>>& styles, Rng rng) {
   Counts dealt{}, fitted{};
+  std::map<Simulator, Counts> dealt_on;
   std::vector<std::vector<Style>> open;
   for (const TaskSlot& slot : slots) {
     open.push_back(slot.split == Split::Linguistic ? open_styles(slot, styles) : std::vector<Style>());
@@ -41,8 +45,10 @@ void deal_one_each(std::vector<TaskSlot>& slots, const std::vector<std::vector<S
   }
   for (std::size_t i = 0; i < slots.size(); ++i) {
     std::vector<Style> least;
+    Counts& dealt_here = dealt_on[slots[i].simulator];
     const auto rank = [&](Style style) {
-      return std::pair(dealt[position(style)] / share_of(style), fitted[position(style)]);
+      const std::size_t at = position(style);
+      return std::tuple(dealt[at] / share_of(style), dealt_here[at] / share_of(style), fitted[at]);
     };
     for (const Style style : open[i]) {
       if (!least.empty() && rank(style) > rank(least.front())) continue;
@@ -52,6 +58,7 @@ void deal_one_each(std::vector<TaskSlot>& slots, const std::vector<std::vector<S
     if (least.empty()) continue;
     slots[i].styles.push_back(rng.pick(least));
     ++dealt[position(slots[i].styles.back())];
+    ++dealt_here[position(slots[i].styles.back())];
   }
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <iostream>
 #include <map>
-#include <set>
 
 #include "core/text.h"
 #include "logic/evaluate.h"
@@ -209,61 +208,6 @@ TEST(PddlProblem, WhateverTheSymbolsAllowTheActionsDo) {
   for (const auto action : {ActionType::PlaceIn, ActionType::Open, ActionType::TurnOn, ActionType::BurnWith,
                             ActionType::CookWith, ActionType::FillWith, ActionType::WashWith, ActionType::Slice})
     EXPECT_GE(done[action], 1) << info(action).name;
-}
-
-/// Goals with numbers, and their negations, hold of a start for a reader of PDDL exactly when they do for the symbols.
-TEST(PddlProblem, NumbersAndComparisonsMeanTheSame) {
-  int compared = 0, held = 0;
-  for (const auto& source : library()) {
-    if (source.name != "open-one" && source.name != "close-one" && source.name != "place-one-inside") continue;
-    for (const auto simulator : source.simulators) {
-      const auto drawn = draw(source, simulator, 4);
-      if (drawn == nullptr) continue;
-      const auto& setting = drawn->scene->setting;
-      std::vector<symbolic::Id> doors;
-      std::set<std::string> categories;
-      for (std::size_t i = 0; i < setting.objects.things.size(); ++i) {
-        const auto id = symbolic::Id::thing(i);
-        if (!setting.kind_of(id).openable || !drawn->scene->start[id].exists) continue;
-        doors.push_back(id);
-        categories.insert(setting.kind_of(id).category);
-      }
-      if (doors.size() < 2) continue;
-      const std::string one = *categories.begin();
-      const std::string all =
-          categories.size() == 1 ? one : "(either " + join({categories.begin(), categories.end()}, " ") + ")";
-      Rng rng = Rng(11).fork(source.name, static_cast<std::uint64_t>(simulator));
-      for (int round = 0; round < 12; ++round) {
-        auto world = drawn->scene->start;
-        for (const auto id : doors) world[id].set(rng.chance(0.5) ? Predicate::Open : Predicate::Closed);
-        for (const char* comparison : {"=", ">=", "<=", ">", "<"}) {
-          const std::string op = std::string("(count ") + comparison + " ";
-          for (const std::string& body :
-               {op + "1 (?x - " + all + ") (open ?x))", op + "2 (?x - " + all + ") (closed ?x))",
-                op + "(number (?x - " + all + ") (open ?x)) (number (?y - " + one + ") (closed ?y)))"}) {
-            for (const std::string& text : {"(at-end " + body + ")", "(at-end (not " + body + "))"}) {
-              const auto formula = parse_formula("goal", text, FormulaUse::Goal);
-              ASSERT_TRUE(formula) << format(formula.error());
-              const symbolic::Goal goal(*formula, setting, world);
-              const auto problem = pddl::problem_for("numbers", simulator, setting, world, goal);
-              if (!problem) continue;
-              const auto& domain = domain_of(simulator);
-              const auto read = testing::read_pddl_problem(problem->text, domain);
-              symbolic::Progress progress(goal);
-              progress.observe(goal, setting, world);
-              const bool expected = holds(goal, goal.root(), setting, world, progress);
-              ASSERT_EQ(PddlMachine(domain, read).goal_holds(), expected) << text << "\n" << problem->text;
-              ++compared;
-              held += expected ? 1 : 0;
-            }
-          }
-        }
-      }
-    }
-  }
-  EXPECT_GE(compared, 500);
-  EXPECT_GE(held, compared / 4);
-  EXPECT_LE(held, compared - compared / 4);
 }
 
 /// The shortest plan of the exported problem is no longer than the witness, and there is one.

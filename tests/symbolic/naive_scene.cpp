@@ -186,8 +186,10 @@ NaiveScenes::NaiveScenes(const Specification& specification, const Knowledge& kn
     int most = 0, different = 0;
     for (const auto& start : specification.init) {
       const bool speaks = start.domain.members.size() == 1 && start.domain.members[0].category == category;
-      if (speaks && start.op == Formula::Op::Count) most = std::max(most, start.number);
-      if (speaks && start.op == Formula::Op::Exists) ++different;  // one open and one closed, perhaps
+      if (!speaks) continue;
+      if (start.op == Formula::Op::Count) most = std::max(most, start.number);
+      if (start.op == Formula::Op::Exists) ++different;  // two closed and one open, perhaps
+      if (start.op == Formula::Op::Count && start.children.front().op == Formula::Op::Atom) different += start.number;
     }
     demanded_.push_back(most);
     const bool all = all_are_meant(specification.goal, category);
