@@ -83,7 +83,7 @@ CompiledKnowledge compile_inputs(const fs::path& folder, const DataFolders& fold
   if (code) return {{}, {io_error(folder, "cannot make this folder for compiled knowledge: " + code.message())}};
   const fs::path database = folder / inputs.file_name;
   auto partial = database;
-  partial += "." + std::to_string(::getpid());
+  partial += "." + std::to_string(::getpid()) + ".tmp";  // of each process its own; a killed one may leave it
   auto errors = compile_knowledge(folders.tables(), partial, folders.overrides);
   if (!errors.empty()) return {{}, std::move(errors)};
   if (const auto put = store_templates(partial, folders.root, inputs.templates.files); !put) return {{}, {put.error()}};
