@@ -65,6 +65,9 @@ def served(model: Any, tokenizer: Any, name: str, at_once: int) -> Iterator[str]
     class Handler(BaseHTTPRequestHandler):
         def do_POST(self) -> None:
             request = json.loads(self.rfile.read(int(self.headers["Content-Length"])))
+            if "max_tokens" not in request:
+                self.send_error(400, "max_tokens is missing")
+                return
             future: Future[Answer] = Future()
             asked.put((Request(request["messages"], request["max_tokens"]), future))
             one = future.result()
