@@ -33,6 +33,7 @@ struct Facts {
   std::set<std::string> links;                       // of any of its models: joint, togglebutton, fillable, ...
   std::set<std::string> substances;                  // that it applies or pours
   std::vector<std::string> rooms;                    // of homes in which it stands, most usual first
+  std::set<std::string> denied;  // affordances that annotations give its synset and our own list says it lacks
 };
 
 /// All that the files of BEHAVIOR say.
@@ -66,7 +67,7 @@ class Words {
   std::string cell(const std::string& name, const std::string& column) const;
   std::string display(const std::string& name) const;
   const Row* form(const std::string& name, std::string* content = nullptr) const;
-  std::string kind_of_content(const std::string& content) const;
+  const Row* row_of_content(const std::string& content) const;
   static std::vector<Row> read_rows(const std::filesystem::path& path, const std::vector<std::string>& columns,
                                     std::vector<Error>& errors);
 

@@ -31,6 +31,9 @@ void add_of(TableBuilder& builder, const std::string& name, const Facts& f, bool
       {"cookable", "cookable"},      {"breakable", "breakable"}, {"heatSource", "heat_source"},
       {"coldSource", "cold_source"}, {"particleSink", "drain"},  {"drapeable", "foldable"}};
   const auto& c = *builder.find(name);
+  const auto afford = [&](const std::string& affordance, const std::string& source, double confidence) {
+    if (!f.denied.contains(affordance)) builder.afford(name, affordance, source, confidence);
+  };
   if (c.movable) builder.afford(name, "pickupable", "derived:not-scene-object", 0.9);
   if (has_door(c.archetype) && f.links.contains("joint")) {
     builder.afford(name, "openable", kInventory, 1);
@@ -42,15 +45,15 @@ void add_of(TableBuilder& builder, const std::string& name, const Facts& f, bool
     builder.afford(name, "switchable", kInventory, 1);
   }
   for (const auto& [property, affordance] : kProperties) {
-    if (f.properties.contains(property)) builder.afford(name, affordance, kAnnotations, 1);
+    if (f.properties.contains(property)) afford(affordance, kAnnotations, 1);
   }
   if (f.properties.contains("sliceable") && sliced) {
     builder.afford(name, "sliceable", kAnnotations, 1);
   }
-  if (f.properties.contains("cookable")) builder.afford(name, "burnable", kAnnotations, 0.9);
+  if (f.properties.contains("cookable")) afford("burnable", kAnnotations, 0.9);
   const auto kind_only = [&](KindGroup kinds, const char* property, const char* affordance) {
     if (builder.is_kind(name, kinds) && f.properties.contains(property)) {
-      builder.afford(name, affordance, kAnnotations, 0.9);
+      afford(affordance, kAnnotations, 0.9);
     }
   };
   kind_only(KindGroup::Food, "heatable", "heatable");

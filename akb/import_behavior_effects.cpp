@@ -24,6 +24,9 @@ std::vector<EffectNeed> needs_of(const Json& source) {
 void add_heat(TableBuilder& builder, const std::string& tool, const Json& source) {
   if (!builder.is_kind(tool, KindGroup::Heater) || !builder.has(tool, "switchable")) return;
   const bool flame = builder.is_kind(tool, "stove");
+  const auto ware = flame                                ? KindGroup::StoveWare
+                    : builder.is_kind(tool, "microwave") ? KindGroup::MicrowaveWare
+                                                         : KindGroup::OvenWare;
   for (const auto& target : builder.names()) {
     if (!builder.has(target, "pickupable")) continue;
     const auto add = [&](Treatment treatment) {
@@ -32,7 +35,8 @@ void add_heat(TableBuilder& builder, const std::string& tool, const Json& source
     // An open flame burns food that lies on it, a closed oven cooks it.
     const bool burns = flame && builder.has(target, "burnable");
     if (burns) add(Treatment::Burns);
-    if (!burns && builder.has(target, "heatable")) add(Treatment::Heats);
+    const bool suits = builder.is_kind(target, KindGroup::Food) || builder.is_kind(target, ware);
+    if (!burns && suits && builder.has(target, "heatable")) add(Treatment::Heats);
     if (!flame && builder.has(target, "cookable")) add(Treatment::Cooks);
   }
 }
@@ -130,7 +134,7 @@ void add_spreading(TableBuilder& builder, const Metadata& metadata, const std::s
     const auto kinds = seasons ? KindGroup::Seasoned : soap ? KindGroup::WashedUp : KindGroup::Cleaned;
     for (const auto& target : builder.names()) {
       if (!usual.contains(target) || target == tool || !builder.is_kind(target, kinds)) continue;
-      if (builder.kind(target) == "meat") builder.afford(target, "coverable", "curated", 0.8);
+      if (builder.is_kind(target, KindGroup::Food)) builder.afford(target, "coverable", "curated", 0.8);
       if (!builder.has(target, "coverable")) continue;
       // One word, as formulas name it: (covered ?x dish_soap).
       const auto symbol = replace_all(substance, " ", "_");

@@ -4,6 +4,9 @@
 
 #include "akb/import_behavior.h"
 #include "akb/metadata_json.h"
+#include "akb/row_reader.h"
+#include "akb/table_words.h"
+#include "core/files.h"
 #include "core/text.h"
 
 namespace unietp::behavior {
@@ -103,6 +106,24 @@ void add_rooms(Metadata& metadata, const Json& scenes, const SceneLists& lists) 
   }
 }
 
+/// denied.csv: affordances that the annotations of a synset give and things of these categories lack.
+std::optional<Error> read_denied(Metadata& metadata, const std::filesystem::path& path) {
+  const auto text = read_file(path);
+  if (!text) return text.error();
+  std::vector<Error> errors;
+  RowReader row(path.string(), *text, {"affordance", "categories", "reason"}, errors);
+  for (const auto& cells : row.rows()) {
+    row.at(cells);
+    const auto& affordance = row.one_of("affordance", affordance_names(), "affordance");
+    for (const auto& name : row.list("categories")) {
+      const auto found = metadata.categories.find(name);
+      if (found == metadata.categories.end()) row.fail("categories", "no '" + name + "' in the metadata");
+      if (found != metadata.categories.end()) found->second.denied.insert(affordance);
+    }
+  }
+  return errors.empty() ? std::nullopt : std::optional(errors.front());
+}
+
 }  // namespace
 
 Result<Metadata> read_behavior(const std::filesystem::path& folder, const std::filesystem::path& curated,
@@ -137,6 +158,7 @@ Result<Metadata> read_behavior(const std::filesystem::path& folder, const std::f
   for (auto& [name, facts] : metadata.categories) add_properties(facts, annotations);
   add_models(metadata, *inventory);
   add_rooms(metadata, *scenes, {*rooms, *no_homes});
+  if (const auto error = read_denied(metadata, curated / "denied.csv")) return *error;
   return metadata;
 }
 

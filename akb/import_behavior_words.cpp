@@ -78,8 +78,8 @@ Words::Words(const std::filesystem::path& curated, const Metadata& metadata, std
   keyed(
       "words.csv", {"name", "display", "plural", "kind", "archetype", "movable", "rooms"},
       [&](const std::string& key) { return metadata_.categories.contains(key); }, names_);
-  forms_ = read_rows(folder / "forms.csv", {"pattern", "display", "kind", "archetype", "materials"}, errors);
-  contents_ = read_rows(folder / "contents.csv", {"ends", "kind"}, errors);
+  forms_ = read_rows(folder / "forms.csv", {"pattern", "display", "kind", "archetype", "colours", "materials"}, errors);
+  contents_ = read_rows(folder / "contents.csv", {"ends", "kind", "materials"}, errors);
 }
 
 std::vector<std::string> Words::chain(const std::string& name) const {
@@ -108,7 +108,8 @@ const Words::Row* Words::form(const std::string& name, std::string* content) con
   return nullptr;
 }
 
-std::string Words::kind_of_content(const std::string& content) const {
+/// The row of contents.csv with the longest ending of what stands for the star; nullptr if none fits.
+const Words::Row* Words::row_of_content(const std::string& content) const {
   const auto fits = [&](const std::string& ending) {
     return (" " + content).ends_with(" " + ending) || (" " + singular(content)).ends_with(" " + ending);
   };
@@ -116,7 +117,7 @@ std::string Words::kind_of_content(const std::string& content) const {
   for (const auto& row : contents_) {
     if (fits(row.key) && (best == nullptr || row.key.size() > best->key.size())) best = &row;
   }
-  return best == nullptr ? "" : best->cells.at("kind");
+  return best;
 }
 
 /// The cell of the name, else of its form, else of the nearest hypernym that has one.
@@ -131,10 +132,14 @@ std::string Words::cell(const std::string& name, const std::string& column) cons
   std::string content;
   if (const auto* of_form = form(name, &content); of_form != nullptr && !text_of(*of_form).empty()) {
     const auto text = text_of(*of_form);
-    if (column != "kind" || !text.starts_with("content")) return text;
-    const auto kind = kind_of_content(content);
-    if (!kind.empty()) return kind;
-    if (const auto other = text.find(':'); other != std::string::npos) return text.substr(other + 1);
+    // What is sold in plastic only is not in glass; its carton is of paper all the same.
+    const bool by_content =
+        column == "kind" ? text.starts_with("content") : column == "materials" && text.starts_with("glass");
+    const auto* of_content = by_content ? row_of_content(content) : nullptr;
+    if (of_content != nullptr && !text_of(*of_content).empty()) return text_of(*of_content);
+    const auto other = column == "kind" && by_content ? text.find(':') : std::string::npos;
+    if (other != std::string::npos) return text.substr(other + 1);
+    if (column != "kind" || !by_content) return text;
   }
   for (const auto& synset : chain(name)) {
     const auto row = hypernyms_.find(synset);
@@ -210,7 +215,8 @@ Word Words::word(const std::string& name) const {
   const auto rooms = cell(name, "rooms");
   const auto usual = kind_rooms_.find(word.kind);
   if (rooms != "-" && !(outside && !c.movable)) {
-    c.rooms = !facts.rooms.empty()                      ? facts.rooms
+    const bool named = own != names_.end() && !own->second.cells.at("rooms").empty();
+    c.rooms = !facts.rooms.empty() && !named            ? facts.rooms
               : !rooms.empty()                          ? split(rooms, '|')
               : usual != kind_rooms_.end() && c.movable ? usual->second
                                                         : std::vector<std::string>{};

@@ -14,22 +14,25 @@ namespace unietp {
 
 /// A group of kinds of things (Word::kind) that a rule of the importers treats alike.
 enum class KindGroup : std::uint8_t {
-  Food,          // is eaten
-  HeatedVessel,  // may be hot with what is in it
-  Filled,        // holds a liquid, or pours one
-  Dirtied,       // gets dirty, and substances are spread on it
-  Soaked,        // takes up water
-  Heater,        // heats what is in or on it
-  Cooler,        // cools what is in it
-  Washer,        // washes what is in it
-  Laundry,       // is washed by a washing machine, not with dishes
-  WornOrSpread,  // is not wiped
-  Seasoning,     // is applied to dishes and food
-  Seasoned,      // a seasoning is applied to it
-  WashedUp,      // soap is applied to it
-  Cleaned,       // a cleaner other than soap is applied to it
-  HoldsNothing,  // nothing is put on or in it, whatever its shape
-  FlatFood,      // nothing is put on it, though it is flat
+  Food,           // is eaten
+  HeatedVessel,   // may be hot with what is in it
+  StoveWare,      // is heated on a stove
+  OvenWare,       // is heated in an oven
+  MicrowaveWare,  // is heated in a microwave
+  Filled,         // holds a liquid, or pours one
+  Dirtied,        // gets dirty, and substances are spread on it
+  Soaked,         // takes up water
+  Heater,         // heats what is in or on it
+  Cooler,         // cools what is in it
+  Washer,         // washes what is in it
+  Laundry,        // is washed by a washing machine, not with dishes
+  WornOrSpread,   // is not wiped
+  Seasoning,      // is applied to dishes and food
+  Seasoned,       // a seasoning is applied to it
+  WashedUp,       // soap is applied to it
+  Cleaned,        // a cleaner other than soap is applied to it
+  HoldsNothing,   // nothing is put on or in it, whatever its shape
+  FlatFood,       // nothing is put on it, though it is flat
 };
 /// Number of groups.
 inline constexpr std::size_t kKindGroupCount = static_cast<std::size_t>(KindGroup::FlatFood) + 1;

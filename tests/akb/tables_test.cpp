@@ -113,11 +113,12 @@ TEST_P(CommittedTables, WhatGoesInsideIsSmallerThanWhatHoldsItAndFitsTheRoomTher
   }
 }
 
-// Places on dishes and in bags count: raw meat stands on one piece of furniture that makes sense, a counter. A chest
-// stands on the floor, which no table of places has.
+// Places on dishes and in bags count: raw meat stands on one piece of furniture that makes sense, a counter. Chests and
+// what sweeps and unclogs stand on the floor, which no table of places has.
 TEST_P(CommittedTables, EveryMovableHasThreePlaces) {
+  const std::set<std::string> on_floors{"Plunger", "ScrubBrush", "broom", "carpet_sweeper", "cedar_chest", "vacuum"};
   for (const auto& c : tables.categories) {
-    if (!c.movable || c.name == "cedar_chest") continue;
+    if (!c.movable || on_floors.contains(c.name)) continue;
     int places = 0, on_furniture = 0;
     for (const auto& p : tables.placements) {
       if (p.object != c.name || (p.relation != Predicate::On && p.relation != Predicate::Inside)) continue;
