@@ -82,7 +82,7 @@ class Stranger : public ::testing::Test {
                                               {"render", in, task, "--out", out("task.svg")},
                                               {"render", in, task, "--out", out("view.png")},
                                               {"annotate", in, "--phrasings", "benchmark", "--out", out("annotated")}};
-    for (const char* format : {"starts", "pddl", "bddl", "ltlf", "unietp-release", "sft"})
+    for (const char* format : {"starts", "virtualhome", "pddl", "bddl", "ltlf", "unietp-release", "sft"})
       all.push_back({"export", in, "--format", format, "--out", out(format)});
     return all;
   }

@@ -1,0 +1,99 @@
+"""VirtualHome's evolving-graph simulator on the programs of a data set, for `checks/judges virtualhome`.
+
+The simulator must execute each program (the demonstration in M1) in the graph of the task's start. In its last graph every
+object that the demonstration changed must be on or in what it is on or in at the end of our physics, and be open, closed, on
+or off as it is there.
+
+Exit code 1: a program was not executed, or an object ended otherwise.
+"""
+
+import argparse
+import csv
+import importlib.util
+import json
+import sys
+from collections import Counter
+from pathlib import Path
+
+import unietp
+
+# The package's own start needs Unity, so the modules of the graph are imported without it.
+sys.path.append(importlib.util.find_spec("virtualhome").submodule_search_locations[0] + "/simulation")
+from evolving_graph.environment import EnvironmentGraph  # noqa: E402
+from evolving_graph.execution import ScriptExecutor  # noqa: E402
+from evolving_graph.scripts import read_script_from_list_string  # noqa: E402
+
+STATES = {"open": "OPEN", "closed": "CLOSED", "power_on": "ON", "power_off": "OFF"}
+RELATIONS = {"on": "ON", "inside": "INSIDE"}
+
+
+def ours_at_the_end(dataset, task, numbers):
+    """Of the objects that the demonstration changed: (number, relation, number) and (number, state) in VirtualHome's words,
+    their numbers, and the numbers of those that rest on or in a thing that the agent picked up."""
+    *_, scene = dataset.scenes(task, "M1")
+    steps = dataset.demonstration(task).steps
+    changed = {node["id"] for step in steps for node in step.changes.get("nodes", [])}
+    picked_up = {step.args[0] for step in steps if step.action == "pick_up"}
+    edges = [edge for edge in scene["edges"] if edge["relation"] in RELATIONS and edge["from"] in changed]
+    facts = {(numbers[edge["from"]], RELATIONS[edge["relation"]], numbers[edge["to"]]) for edge in edges}
+    for node in scene["nodes"]:
+        if node["id"] in changed:
+            facts |= {(numbers[node["id"]], STATES[state]) for state in node["states"] if state in STATES}
+    carried = {numbers[edge["from"]] for edge in edges if edge["to"] in picked_up}
+    return facts, {numbers[thing] for thing in changed}, carried
+
+
+def theirs_at_the_end(graph, things, known):
+    facts = {
+        (edge["from_id"], edge["relation_type"], edge["to_id"])
+        for edge in graph["edges"]
+        if edge["relation_type"] in RELATIONS.values() and edge["from_id"] in things and edge["to_id"] in known
+    }
+    for node in graph["nodes"]:
+        if node["id"] in things:
+            facts |= {(node["id"], state) for state in node["states"] if state in STATES.values()}
+    return facts
+
+
+def judge(dataset, folder, task):
+    """One row: whether the program of a task runs, and in what its end differs from ours."""
+    graph = json.loads((folder / f"{task}.json").read_text())
+    names = json.loads((folder / f"{task}.names.json").read_text())
+    numbers = {ours: int(name.rsplit("_", 1)[1]) for ours, name in names.items()}
+    lines = [line for line in (folder / f"{task}.txt").read_text().splitlines() if line.startswith("[")]
+    executor = ScriptExecutor(EnvironmentGraph(graph), {})
+    done, _, graphs = executor.execute(read_script_from_list_string(lines), w_graph_list=True)
+    row = {"task": task, "lines": len(lines), "executed": "yes" if done else executor.info.get_error_string()}
+    if not done:
+        return row | {"end": "", "differs": ""}
+    ours, things, carried = ours_at_the_end(dataset, task, numbers)
+    theirs = theirs_at_the_end(graphs[-1], things, set(numbers.values()))
+    apart = ours ^ theirs
+    return row | {
+        "end": "equal" if not apart else "carried things forgotten" if {fact[0] for fact in apart} <= carried else "differs",
+        "differs": "; ".join(("ours " if fact in ours else "theirs ") + " ".join(map(str, fact)) for fact in sorted(apart, key=str)),
+    }
+
+
+def main():
+    options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    options.add_argument("dataset", type=Path)
+    options.add_argument("folder", type=Path, help="what `unietp export --format virtualhome` wrote")
+    options.add_argument("out", type=Path, help="a CSV file to write")
+    options = options.parse_args()
+    dataset = unietp.load_dataset(options.dataset)
+    rows = [judge(dataset, options.folder, program.stem) for program in sorted(options.folder.glob("*.txt"))]
+    with options.out.open("w", newline="") as file:
+        writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+    ends = Counter(row["end"] for row in rows if row["executed"] == "yes")
+    wrong = [row for row in rows if row["end"] not in ("equal", "carried things forgotten")]
+    print(f"VirtualHome's graph simulator executes {sum(ends.values())} of {len(rows)} programs; their ends: {dict(ends)}")
+    for row in wrong:
+        print(row)
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
