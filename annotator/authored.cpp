@@ -5,6 +5,7 @@
 
 #include "annotator/phrase_plan.h"
 #include "annotator/realise.h"
+#include "annotator/words_for_writing.h"
 #include "core/text.h"
 #include "templates/phrasing.h"
 
@@ -28,6 +29,7 @@ class Author {
   Author(const Specification& specification, const NounTable& lexicon, const Wording& wording, const HomeCounts& home,
          Rng rng)
       : specification_(specification),
+        lexicon_(lexicon),
         style_(wording.style),
         rng_(rng),
         naming_(plan_, lexicon, wording, rng_),
@@ -56,6 +58,19 @@ class Author {
       filled += *said;
     }
     filled += phrasing.substr(at);
+    // "Take the mug that is on the desk": people take it off the desk.
+    if (filled.starts_with("Take ") && filled.find(" that is ") != std::string::npos) return std::nullopt;
+    for (const char* const article : {"the ", "a "})
+      for (const auto& [variable, domain] : phrases_.scope()) {
+        const NounTable::Name* room =
+            domain.members.size() == 1 ? lexicon_.display(domain.members[0].category) : nullptr;
+        if (room != nullptr)
+          filled = replace_all(filled, "the floor of " + (article + room->singular),
+                               floor_of(article + room->singular, !domain.where.empty()));
+      }
+    for (const char* const verb : {"urn", "witch", "eat", "arm", "ick", "ool", "lug"})
+      for (const char* const particle : {"on", "off", "up", "down", "in"})
+        filled = replace_all(filled, join({verb, particle, "it"}, " "), join({verb, "it", particle}, " "));
     if (begin < filled.size())
       filled[begin] = static_cast<char>(std::toupper(static_cast<unsigned char>(filled[begin])));
     return filled;
@@ -111,6 +126,7 @@ class Author {
   }
 
   const Specification& specification_;
+  const NounTable& lexicon_;
   Style style_;
   Rng rng_;
   Plan plan_;

@@ -46,7 +46,7 @@ class ClauseReader {
   Clause outnumbering();
   Clause poured();
   Clause remaining();
-  Clause none_left();
+  Clause none_left(bool any);
   bool put_down();
   bool taken_from(Clause& clause);
 

@@ -305,7 +305,9 @@ std::optional<std::string> ClauseWriter::taken_first(const Clause& clause) {
   place.bare_room = naming_.everyday();
   const Text where = naming_.complement(clause.complements[0], place);
   const std::string put = naming_.everyday() ? " and put " : pick({" and put ", " and place "});
-  return where ? Text("take " + subject->text + put + (subject->plural ? "them " : "it ") + *where) : std::nullopt;
+  const bool sought = naming_.everyday() && naming_.names_by_use(thing.noun);
+  return where ? Text((sought ? "get " : "take ") + subject->text + put + (subject->plural ? "them " : "it ") + *where)
+               : std::nullopt;
 }
 
 bool ClauseWriter::described_by_place(const Clause& clause) const {
@@ -332,7 +334,8 @@ std::optional<std::string> ClauseWriter::filled(const std::string& pattern, cons
     place.bare_room = naming_.everyday() && text.ends_with(" {o}");
     const auto object = naming_.phrase(clause.complements[0].object[0], place);
     if (!object) return std::nullopt;
-    if (object->text == "it") text = replace_all(text, "the floor of {o}", "its floor");
+    const bool plain = naming_.everyday() && clause.complements[0].object[0].modifiers.empty();
+    if (plain || object->text == "it") text = replace_all(text, "the floor of {o}", floor_of(object->text, false));
     text = replace_all(text, "{o}", object->text);
   }
   return replace_all(text, "{s}", subjects->text);

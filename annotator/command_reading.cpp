@@ -34,12 +34,13 @@ Clause ClauseReader::command() {
   if (words_.accept("put the same number of")) return same_number();
   if (words_.accept("put more")) return outnumbering();
   if (words_.accept("pour it into")) return poured();
-  if (words_.accept_one({"don't leave any", "do not leave any"}) >= 0) return none_left();
+  if (words_.accept_one({"don't leave any", "do not leave any"}) >= 0) return none_left(true);
+  if (words_.accept_one({"don't leave", "do not leave"}) >= 0) return none_left(false);
   if (words_.accept("leave")) return remaining();
   const bool repeated = moving_ && words_.phrase_comes();  // "put a mug on a table and a bowl in a box"
   moving_ = repeated || words_.accept_one({"put", "place", "set"}) >= 0;
   if (moving_) return moved();
-  if (words_.accept_one({"remove", "take", "bring"}) >= 0) return taken();
+  if (words_.accept_one({"remove", "take", "get", "bring"}) >= 0) return taken();
   if (words_.accept("fill")) return with_symbol(P::Filled);
   if (words_.accept("cover")) return with_symbol(P::Covered);
   if (words_.accept("pour")) return symbol_first(P::Filled, "into", false);
@@ -116,8 +117,9 @@ Clause ClauseReader::taken() {
     subject.determiner = Determiner::No;
   }
   clause.complements.push_back({inside ? P::Inside : P::On, false, "", {}});
-  if (!inside && words_.accept("the floor of")) clause.complements[0].predicate = P::OnFloor;
-  clause.complements[0].object.push_back(words_.place());
+  auto floor = inside ? std::nullopt : words_.room_floor();
+  if (floor || (!inside && words_.accept("the floor of"))) clause.complements[0].predicate = P::OnFloor;
+  clause.complements[0].object.push_back(floor ? *std::move(floor) : words_.place());
   if (clause.complements[0].object[0].determiner == Determiner::New)
     words_.fail("expected 'one …' or 'any …' before this");
   clause.put_down = put_down();

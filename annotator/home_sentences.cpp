@@ -11,13 +11,36 @@ namespace {
 
 using P = Predicate;
 
+const Formula* quantifier_of(const Formula& formula, const std::string& variable) {
+  if (formula.variable == variable) return &formula;
+  for (const Formula& child : formula.children)
+    if (const Formula* found = quantifier_of(child, variable)) return found;
+  return nullptr;
+}
+
 constexpr double kLikely = 0.05;  // of a place that knowledge base rows name for a thing
-constexpr std::array kNoticed{P::PowerOn, P::Open};
+
+/// The categories on or in which a goal puts something.
+std::vector<std::string> places_of(const Formula& part, const Formula& goal) {
+  std::vector<std::string> found;
+  const bool put = part.op == Formula::Op::Atom && (part.predicate == P::On || part.predicate == P::Inside);
+  if (const Formula* binder = put ? quantifier_of(goal, part.terms[1].name) : nullptr)
+    for (const Domain::Member& member : binder->domain.members) found.push_back(member.category);
+  for (const Formula& child : part.children)
+    for (std::string& place : places_of(child, goal)) found.push_back(std::move(place));
+  return found;
+}
 
 class Teller {
  public:
-  Teller(const Trace& start, const std::vector<std::string>& own, const Knowledge& knowledge, const NounTable& nouns)
-      : start_(start), facts_(start.states.front()), own_(own), knowledge_(knowledge), nouns_(nouns) {}
+  Teller(const Trace& start, const Formula& goal, const std::vector<std::string>& own, const Knowledge& knowledge,
+         const NounTable& nouns)
+      : start_(start),
+        facts_(start.states.front()),
+        own_(own),
+        places_(places_of(goal, goal)),
+        knowledge_(knowledge),
+        nouns_(nouns) {}
 
   std::vector<std::string> sentences() {
     const auto size = static_cast<std::uint32_t>(start_.entities.size());
@@ -25,7 +48,6 @@ class Teller {
       const EntityIndex thing(i);
       if (start_.entities[thing].kind != Entity::Kind::Object || !facts_.exists(thing) || name_of(thing).empty())
         continue;
-      for (const P state : kNoticed) tell_state(thing, state);
       for (const auto& [relation, place] : facts_.relations(thing)) tell_place(thing, relation, place);
     }
     sort_unique(told_);
@@ -47,29 +69,25 @@ class Teller {
     return read.nouns.size() == 1 && read.length == tokens_of(name->singular).size() ? name->singular : "";
   }
 
-  void tell_state(EntityIndex thing, P state) {
-    if (alike(thing) != 1 || !facts_.holds(state, thing)) return;
-    told_.push_back("The " + name_of(thing) + " is " + state_word(state) + ", but never mind that.");
-  }
-
+  /// "There's already a book on the desk.", of a place that the task is about.
   void tell_place(EntityIndex thing, P relation, EntityIndex place) {
-    const std::string where = name_of(place);
-    if (where.empty()) return;
     const Entity &here = start_.entities[thing], &there = start_.entities[place];
-    const auto* category = knowledge_.find(here.category);
-    if (category == nullptr) return;
+    if (std::find(places_.begin(), places_.end(), there.category) == places_.end()) return;
+    const auto *category = knowledge_.find(here.category), *holder = knowledge_.find(there.category);
+    const auto* where = nouns_.display(there.category);
+    if (category == nullptr || holder == nullptr || holder->movable || where == nullptr) return;
     if (relation != P::On && relation != P::Inside) return;
     const auto* known = knowledge_.placement(here.category, relation, there.category);
     if (!category->movable || known == nullptr || known->likelihood < kLikely) return;
-    const std::string at = (relation == P::On ? " on the " : " in the ") + where;
-    if (alike(place) != 1) return;
-    if (alike(thing) == 1) told_.push_back("Never mind the " + name_of(thing) + at + ".");
-    told_.push_back("There's " + with_article(name_of(thing)) + at + ", but never mind that.");
+    const std::string at = relation == P::On ? " on " : " in ";
+    told_.push_back("There's already " + with_article(name_of(thing)) + at +
+                    (alike(place) == 1 ? "the " + where->singular : "one of the " + where->plural) + ".");
   }
 
   const Trace& start_;
   const Facts& facts_;
   const std::vector<std::string>& own_;
+  std::vector<std::string> places_;
   const Knowledge& knowledge_;
   const NounTable& nouns_;
   std::vector<std::string> told_;
@@ -77,10 +95,10 @@ class Teller {
 
 }  // namespace
 
-std::vector<std::string> home_sentences(const Trace& start, const std::vector<std::string>& own,
+std::vector<std::string> home_sentences(const Trace& start, const Formula& goal, const std::vector<std::string>& own,
                                         const Knowledge& knowledge, const NounTable& nouns, Rng rng) {
   if (start.states.empty()) return {};
-  auto told = Teller(start, own, knowledge, nouns).sentences();
+  auto told = Teller(start, goal, own, knowledge, nouns).sentences();
   rng.shuffle(told);
   return told;
 }

@@ -25,7 +25,9 @@ Clause ClauseReader::shared_out() {
   clause.complements.push_back({P::On, false, "", {words_.phrase()}});
   words_.expect("and");
   clause.complements.push_back({P::On, false, "", {words_.phrase()}});
-  words_.expect(", with at least one on each");
+  for (Complement& place : clause.complements)
+    if (place.object[0].determiner == Determiner::New) place.object[0].determiner = Determiner::Single;
+  words_.accept(", with at least one on each");
   clause.any_complement = clause.each_has_one = true;
   return clause;
 }
@@ -38,7 +40,7 @@ Clause ClauseReader::same_number() {
   clause.complements.push_back(words_.complement());
   words_.expect("and");
   clause.complements.push_back(words_.complement());
-  words_.expect(", with at least one on each");
+  words_.accept(", with at least one on each");
   clause.each_has_one = true;
   return clause;
 }
@@ -99,9 +101,16 @@ bool ClauseReader::taken_from(Clause& clause) {
   return true;
 }
 
-/// "don't leave any mugs on the desk"
-Clause ClauseReader::none_left() {
+/// "don't leave any mugs on the desk", "don't leave the inhaler on any desk"
+Clause ClauseReader::none_left(bool any) {
   Clause clause;
+  if (!any) {
+    clause.subjects.push_back(words_.phrase());
+    clause.complements.push_back(words_.complement());
+    clause.complements[0].negated = !clause.complements[0].negated;
+    if (clause.complements[0].object.empty()) words_.fail("expected a place before this");
+    return clause;
+  }
   clause.subjects.push_back(words_.bare_noun());
   clause.subjects[0].determiner = Determiner::No;
   words_.complements(clause);
@@ -143,6 +152,10 @@ bool ClauseReader::left_alone(Clause& clause) {
     words_.accept("leave");
     clause.subjects.push_back(words_.phrase());
     words_.complements(clause);
+    // "Leave the pen on the end table.": on one of these.
+    for (Complement& said : clause.complements)
+      for (NounPhrase& place : said.object)
+        if (place.determiner == Determiner::The) place.determiner = Determiner::Any;
     return true;
   }
   return false;

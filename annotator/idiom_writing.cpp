@@ -39,8 +39,7 @@ Text from(const Complement& place, bool every, Naming& naming) {
   }
   const auto one = naming.phrase(object, {.beside_every = every});
   if (!one) return std::nullopt;
-  if (place.predicate != P::OnFloor) return off + one->text;
-  return one->text == "it" ? off + "its floor" : off + "the floor of " + one->text;
+  return off + (place.predicate == P::OnFloor ? floor_of(one->text, !object.modifiers.empty()) : one->text);
 }
 
 /// "take all the mugs off the table and put them down"
@@ -52,6 +51,11 @@ Text taken_away(const Clause& clause, Naming& naming, Rng& rng) {
     return where && !clause.put_down ? Text("don't leave any " + *any + " " + *where) : std::nullopt;
   }
   const auto all = naming.phrase(as(clause.subjects[0], Determiner::Every), {.together = true});
+  if (all && clause.subjects[0].there == 1 && place.object[0].determiner == Determiner::Any && !clause.put_down &&
+      !naming.is_alone(place.object[0].noun)) {
+    const Text anywhere = naming.complement(place, {});
+    return anywhere ? Text("don't leave " + all->text + " " + *anywhere) : std::nullopt;
+  }
   const Text where = all ? from(place, clause.subjects[0].there != 1, naming) : std::nullopt;
   if (!where) return std::nullopt;
   const std::string them = all->plural ? "them" : "it";
@@ -71,12 +75,12 @@ Text shared(const Clause& clause, Naming& naming) {
   const auto things = even ? naming.plural(clause.subjects[0]) : std::nullopt;
   const auto all = even ? std::nullopt : naming.phrase(clause.subjects[0], {.together = true});
   if (even ? !things : !all) return std::nullopt;
-  const auto first = naming.phrase(clause.complements[0].object[0], {.beside_every = true});
-  const auto second = first ? naming.phrase(clause.complements[1].object[0], {.beside_every = true}) : std::nullopt;
+  const auto first = naming.phrase(clause.complements[0].object[0], {});
+  const auto second = first ? naming.phrase(clause.complements[1].object[0], {}) : std::nullopt;
   if (!second) return std::nullopt;
   const std::string places = first->text + " and " + (even ? "on " : "") + second->text;
   const std::string head = even ? "put the same number of " + *things + " on " : "divide " + all->text + " between ";
-  return head + places + ", with at least one on each";
+  return head + places;
 }
 
 /// "put more mugs than plates in the sink"
@@ -117,7 +121,10 @@ std::optional<std::string> left_alone(const Clause& clause, Naming& naming, Rng&
   const Complement& said = clause.complements[0];
   if (subject.determiner == Determiner::Every && said.predicate == P::On && naming.distracts()) {
     const auto all = naming.phrase(subject, {});
-    const Text where = all ? naming.complement(said, {.beside_every = true}) : std::nullopt;
+    Complement place = said;
+    const bool one = subject.there == 1 && place.object[0].determiner == Determiner::Any;
+    if (one) place.object[0].determiner = Determiner::New;
+    const Text where = all ? naming.complement(place, {.beside_every = !one, .unique = one}) : std::nullopt;
     return where ? Text("leave " + all->text + " " + *where) : std::nullopt;
   }
   if (said.predicate != P::Closed || !said.object.empty()) return std::nullopt;

@@ -124,7 +124,7 @@ class Judge {
 bool add_style_frame(std::string& text, const Specification& specification, Style style, const Judge& judge,
                      const Knowledge& knowledge, const NounTable& lexicon, Rng& rng) {
   std::vector<std::string> sentences;
-  if (style == Style::Context || text.find("I need for that") != std::string::npos) {
+  if (style == Style::Context || text.find("what I need") != std::string::npos) {
     for (const auto& [key, phrase] : lexicon.phrases())
       if (phrase.use == AliasKind::Occasion && ranges_over(specification.goal, phrase.noun))
         sentences.push_back(phrase.text);
@@ -134,7 +134,7 @@ bool add_style_frame(std::string& text, const Specification& specification, Styl
     auto own = categories_of(specification.goal);
     for (const Formula& start : specification.init)
       for (auto& category : categories_of(start)) own.push_back(std::move(category));
-    sentences = home_sentences(judge.start(), own, knowledge, lexicon, rng.fork("home", 0));
+    sentences = home_sentences(judge.start(), specification.goal, own, knowledge, lexicon, rng.fork("home", 0));
     if (sentences.empty()) return false;
     if (rng.chance(0.5)) {
       text.insert(0, sentences[0] + " ");
@@ -236,7 +236,9 @@ class Writer {
 
   /// "…, not the blue one.", behind a command that does not go on about "it".
   bool contrasted(std::string& text, Rng& rng) const {
-    if (options_.home == nullptr || text.empty() || says(tokens_of(text), "it")) return false;
+    if (options_.home == nullptr || text.empty() || says(tokens_of(text), "it") || says(tokens_of(text), "and") ||
+        text.starts_with("Choose"))
+      return false;
     const std::string contrast = contrast_of(judge_.goal(), *options_.home, nouns_, rng);
     text.insert(text.size() - 1, contrast);
     return !contrast.empty();

@@ -88,7 +88,7 @@ std::vector<std::string> Naming::uses(const Domain& noun) const {
   if (style_ == Style::Context)
     return lexicon_.phrases(noun, AliasKind::Occasion).empty()
                ? std::vector<std::string>()
-               : std::vector<std::string>{"what I need for that", "what we need for that"};
+               : std::vector<std::string>{"what I need", "what I'll need"};
   if (style_ == Style::Hypernym) return nameless(noun, AliasKind::Hypernym);
   if (style_ == Style::Description) return nameless(noun, AliasKind::Description);
   if (style_ == Style::Function) return nameless(noun, AliasKind::Function);
@@ -97,7 +97,7 @@ std::vector<std::string> Naming::uses(const Domain& noun) const {
     if (auto found = lexicon_.phrases(noun, use); !found.empty()) return found;
   constexpr std::size_t kMostListed = 4;  // "an apple, pear or plum"; more have no words but an occasion
   if (noun.members.size() <= kMostListed || lexicon_.phrases(noun, AliasKind::Occasion).empty()) return {};
-  return {"what I need for that"};
+  return {"what I need"};
 }
 
 std::optional<std::string> Naming::singular(const Domain& domain) {
@@ -176,7 +176,8 @@ std::optional<std::string> Naming::complement(const Complement& said, Place plac
   const auto object = phrase(said.object[0], place);
   const std::string preposition = before_object(said.predicate);
   if (!object || preposition.empty()) return std::nullopt;
-  if (said.predicate == Predicate::OnFloor && object->text == "it") return text + "on its floor";
+  if (said.predicate == Predicate::OnFloor && (object->text == "it" || everyday()))
+    return text + "on " + floor_of(object->text, !said.object[0].modifiers.empty());
   return text + preposition + " " + object->text;
 }
 
@@ -349,7 +350,10 @@ std::optional<Words> Naming::counted(const NounPhrase& said, const Noun& noun, P
       text = "no " + (plural ? many : before + noun.singular);
       break;
     case Determiner::Exactly:
-      text = (everyday() ? "exactly" : pick({"exactly", "exactly", "precisely"})) + " " + number;
+      if (everyday())
+        text = (said.number < 2 ? "just " : "") + number;
+      else
+        text = pick({"exactly ", "exactly ", "precisely "}) + number;
       break;
     case Determiner::AtLeast:
       if (style_ == Style::VagueQuantity && noun.countable && (said.number == 2 || said.number == 3))

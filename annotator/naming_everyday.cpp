@@ -54,11 +54,11 @@ Words Naming::first_everyday(const NounPhrase& said, const Noun& noun, Place pla
                          said.noun.kind == Domain::Kind::Categories &&
                          !lexicon_.is_room_type(said.noun.members[0].category) && mentions_of(said.noun) == 1;
   // Within a description "the desk" may be read otherwise than it is meant.
-  const bool the = (alone || describes) && (!place.inside_description || rng_.chance(0.85));
+  const bool the = (alone || describes) && (!place.inside_description || rng_.chance(0.95));
   if (the || place.unique || (described && !place.inside_description))
     return {"the " + description.before + noun.singular + tail, is_plural(noun)};
   const std::string one = description.before + (noun.countable ? noun.singular : "piece of " + noun.singular) + tail;
-  if (place.beside_every) return {"one " + one};
+  if (place.beside_every) return {"the same " + one};
   if (noun.countable) return {with_article(one)};
   return {"some " + description.before + noun.singular + tail, is_plural(noun)};
 }

@@ -52,6 +52,9 @@ std::vector<Token> tokens_of(std::string_view text) {
     tokens.push_back({lower(text.substr(i, end - i)), static_cast<int>(i) + 1});
     i = end;
   }
+  for (std::size_t i = 0; i + 1 < tokens.size(); ++i)  // "half an apple" is a half apple
+    if (tokens[i].text == "half" && (tokens[i + 1].text == "a" || tokens[i + 1].text == "an"))
+      std::swap(tokens[i], tokens[i + 1]);
   return tokens;
 }
 
@@ -72,6 +75,7 @@ std::string with_article(const std::string& noun) {
   for (const char* silent :
        {"hour", "heir", "honest", "herb", "8", "11", "18", "lcd", "mp3", "x-ray", "f-", "l-", "s-"})
     if (starts(silent)) vowel = true;
+  if (starts("half ")) return "half " + with_article(noun.substr(5));
   return (vowel ? "an " : "a ") + noun;
 }
 
@@ -94,8 +98,9 @@ NounTable::NounTable(const Knowledge& knowledge, English english) {
       const std::string_view usual = everyday_name(category.display, one);
       const bool again = one != english && usual == everyday_name(category.display, english);
       if (usual.empty() || usual == category.display || again || !taken.emplace(usual).second) continue;
-      const Name name{std::string(usual), category.countable ? plural_of(usual) : std::string(usual),
-                      category.countable, category.movable};
+      const bool countable = category.countable || usual.find(" of ") != usual.npos;  // "roll of toilet paper"
+      const Name name{std::string(usual), countable ? plural_of(usual) : std::string(usual), countable,
+                      category.movable};
       if (one == english) made.names[category.name] = name;
       const int rank = one == english ? 0 : 1;
       add(made.nouns, name.singular, of_category(category.name), name.countable, false, !name.countable, rank);

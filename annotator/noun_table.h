@@ -20,7 +20,7 @@ struct Token {
   std::string text;
   int column = 0;  // 1-based, bytes
 };
-/// Words and punctuation marks in order.
+/// Words and punctuation marks in order; "half an apple" as "an half apple".
 std::vector<Token> tokens_of(std::string_view text);
 /// Whether the words of `name` come in the text one after another.
 bool says(const std::vector<Token>& text, std::string_view name);
@@ -30,7 +30,7 @@ bool says(const std::vector<Token>& text, std::string_view name);
 /// "" for what has no singular, as "leaves for a salad".
 std::string named_again(std::string_view use);
 
-/// "a mug", "an apple", "an hour glass", "a utensil": by pronunciation.
+/// "a mug", "an apple", "an hour glass", "a utensil": by pronunciation; "half an apple".
 std::string with_article(const std::string& noun);
 
 /// What the objects of a knowledge base are called: display names, plurals, synonyms, function phrases, room types.

@@ -88,6 +88,7 @@ class TextReader {
     }
     const bool there = words_.accept_one({"there is", "there are", "there's"}) >= 0;
     if (!there && !words_.comes("the")) return false;
+    if (there) words_.accept("already");
     if (there && words_.accept("more than one")) {
       so.subjects.push_back(words_.bare_noun(false));
       so.subjects.back().determiner = Determiner::AtLeast;
@@ -270,7 +271,7 @@ class TextReader {
         say(again ? Kind::Again : kept() ? Kind::ThenKept : Kind::Then, {std::move(clause), std::move(next)});
         return;
       }
-      if (words_.accept(", and only then")) return only_then(std::move(clause));
+      if (words_.accept_one({", and only then", "first , and then"}) >= 0) return only_then(std::move(clause));
       say(Kind::Final, {std::move(clause)});
       if (words_.accept("again")) undo();
     } while (!words_.failed() && goes_on());

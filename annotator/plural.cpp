@@ -8,7 +8,7 @@ namespace unietp {
 namespace {
 
 /// Ends of words, also of compounds: "bookshelf", "policewoman".
-constexpr std::array<std::pair<std::string_view, std::string_view>, 22> kIrregular{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 23> kIrregular{{
     {"knife", "knives"},    {"shelf", "shelves"},
     {"leaf", "leaves"},     {"loaf", "loaves"},
     {"scarf", "scarves"},   {"half", "halves"},
@@ -20,6 +20,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 22> kIrregul
     {"tomato", "tomatoes"}, {"mango", "mangoes"},
     {"quiz", "quizzes"},    {"fez", "fezzes"},
     {"snowman", "snowmen"}, {"gingerbread man", "gingerbread men"},
+    {" die", " dice"},
 }};
 
 constexpr std::array<std::string_view, 22> kUnchanging{

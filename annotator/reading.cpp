@@ -73,8 +73,9 @@ void PhraseReader::expect(std::string_view words) {
 
 bool PhraseReader::phrase_comes() const {
   for (const char* start : {"a", "an", "one", "the", "that", "some", "any", "every", "each", "all", "both", "no",
-                            "exactly", "precisely", "another", "it", "them", "you"})
+                            "exactly", "precisely", "just", "another", "it", "them", "you"})
     if (peek() == start) return true;
+  if (number_in(peek())) return true;
   for (const char* start : {"at least", "at most"})
     if (comes(start)) return number_in(peek(2)).has_value();
   return comes("no fewer than") || comes("no more than") || lexicon_.function_at(tokens_, at_).length > 0;
@@ -123,8 +124,16 @@ NounPhrase PhraseReader::phrase() {
   // "a single bed" is one bed, unless there is a category "single bed".
   const bool single_in_name = peek(1) == "single" && lexicon_.noun_at(tokens_, at_ + 1).length > 0;
   if (!single_in_name && accept_one({"a single", "one single"}) >= 0) return as(Determiner::Single);
+  if (accept("one of the")) return as(Determiner::Single, true);
   if (accept_one({"one and the same", "one"}) >= 0) return as(Determiner::Single);
-  if (accept_one({"that", "the same"}) >= 0) return as(Determiner::Known);
+  if (accept("the same")) {
+    const std::vector<Domain> before = named_;
+    read = as(Determiner::Known);
+    // "Put both mugs in the same cabinet."
+    if (std::find(before.begin(), before.end(), read.noun) == before.end()) read.determiner = Determiner::Single;
+    return read;
+  }
+  if (accept("that")) return as(Determiner::Known);
   if (accept_one({"another", "a different"}) >= 0) return as(Determiner::Another);
   for (const auto& [words, size] : kOfTwo) {
     if (!accept(words)) continue;
@@ -161,6 +170,12 @@ NounPhrase PhraseReader::phrase() {
     read.number = *number;
     const bool of_the = accept("of the");  // "one of the mugs"
     return as(determiner, of_the || *number != 1);
+  }
+  accept("just");
+  if (const auto number = number_in(peek()); number && *number > 0) {
+    ++at_;
+    read.number = *number;
+    return as(Determiner::Exactly, *number != 1);
   }
   if (accept("no")) {
     const auto noun = lexicon_.noun_at(tokens_, at_);
@@ -278,7 +293,9 @@ void PhraseReader::description(NounPhrase& read) {
 
 /// "what I need for that", behind a sentence such as "I want to make a salad."
 bool PhraseReader::needed_for_occasion(NounPhrase& read) {
-  if (accept_one({"what i need for that", "what we need for that", "the right thing for that"}) < 0) return false;
+  if (accept_one({"what i need for that", "what we need for that", "the right thing for that", "what i need",
+                  "what i'll need"}) < 0)
+    return false;
   if (!occasion_) fail("what is needed is not clear without a sentence about an occasion, before this");
   read.noun = occasion_.value_or(Domain());
   read.by_function = true;

@@ -61,6 +61,7 @@ class PhraseReader {
   void set_bare_rooms(bool bare) { bare_rooms_ = bare; }
   /// Whether a comma alone goes on with what is said of something; "before you put it there, open a fridge" does not.
   void set_comma_lists(bool lists) { comma_lists_ = lists; }
+  std::optional<NounPhrase> room_floor();
   /// "clean and on that table", "either in a box or on a table"
   void complements(Clause& into);
   /// Words up to where a clause can continue, joined by "_": "tomato_sauce".

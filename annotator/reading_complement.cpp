@@ -42,6 +42,16 @@ std::optional<Predicate> PhraseReader::preposition() {
   return std::nullopt;
 }
 
+/// "the bedroom floor": the room.
+std::optional<NounPhrase> PhraseReader::room_floor() {
+  if (peek() != "the" && peek() != "a" && peek() != "an") return std::nullopt;
+  const auto room = lexicon_.room_at(tokens_, at_ + 1);
+  if (room.length == 0 || peek(1 + room.length) != "floor") return std::nullopt;
+  NounPhrase read = phrase();
+  accept("floor");
+  return read;
+}
+
 Complement PhraseReader::relation(Predicate predicate) {
   Complement read;
   read.predicate = predicate;
@@ -69,6 +79,11 @@ Complement PhraseReader::complement() {
     room.determiner = Determiner::It;
     room.column = column();
     return {P::OnFloor, false, "", {room}};
+  }
+  if (comes("on")) {
+    const std::size_t here = at_++;
+    if (auto room = room_floor()) return {P::OnFloor, false, "", {*std::move(room)}};
+    at_ = here;
   }
   if (const auto predicate = preposition()) return relation(*predicate);
   fail("expected a state or a place, such as 'clean' or 'on a table'");

@@ -163,7 +163,8 @@ class Realiser {
       case Kind::OnlyThen: {
         const Text first = clauses_.command(clauses[0]);
         const auto late = first ? naming_.phrase(clauses[1].subjects[0], {}) : std::nullopt;
-        return late ? framed("", Text(*first + ", and only then " + late->text), "") : std::nullopt;
+        return late ? framed("", Text(*first + (everyday_ ? " first, and then " : ", and only then ") + late->text), "")
+                    : std::nullopt;
       }
       case Kind::Again: {
         if (clauses.size() > 2) return reopened(clauses);

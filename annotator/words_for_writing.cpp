@@ -75,8 +75,8 @@ struct EverydayRow {
 constexpr EverydayRow kEverydayRows[] = {
     {P::Open, {"open {s}"}},
     {P::Closed, {"close {s}"}},
-    {P::PowerOn, {"turn on {s}", "switch on {s}", "turn {s} on"}},
-    {P::PowerOff, {"turn off {s}", "switch off {s}", "turn {s} off"}},
+    {P::PowerOn, {"turn on {s}", "turn {s} on"}},
+    {P::PowerOff, {"turn off {s}", "turn {s} off"}},
     {P::Clean, {"wash {s}", "clean {s}"}},
     {P::Hot, {"heat {s}", "heat up {s}", "warm up {s}"}},
     {P::Cool, {"chill {s}", "cool {s}", "cool down {s}"}},
@@ -114,6 +114,12 @@ std::string made_so(Predicate predicate) {
 }
 
 std::string before_object(Predicate predicate) { return std::string(row_of(predicate).preposition); }
+
+std::string floor_of(const std::string& room, bool described) {
+  if (room == "it") return "its floor";
+  const bool article = room.starts_with("the ") || room.starts_with("a ") || room.starts_with("an ");
+  return article && !described ? room + " floor" : "the floor of " + room;
+}
 
 std::vector<std::string> verbs(const Complement& said) {
   if (said.negated && said.predicate == P::Covered) return {"wipe the {m} off {s}"};

@@ -16,6 +16,8 @@ std::string state_word(Predicate predicate);
 std::string made_so(Predicate predicate);
 /// The preposition of a relation, after "is"; "" for what is no relation.
 std::string before_object(Predicate predicate);
+/// "its floor" for "it", "the bedroom floor" for "the bedroom"; a room that is described keeps its place at the end.
+std::string floor_of(const std::string& room, bool described);
 
 /// Ways to ask for a state or relation: {s} the subject, {o} the object, {m} the symbol; the plainest first. Empty
 /// where only "make sure that ..." says it.
