@@ -37,8 +37,10 @@ Text from(const Complement& place, bool every, Naming& naming) {
     const auto many = naming.plural(object);
     return many && naming.is_countable(object.noun) ? Text(off + "the " + *many) : std::nullopt;
   }
-  const auto one = naming.phrase(object, {.beside_every = every});
+  auto one = naming.phrase(object, {.beside_every = every});
   if (!one) return std::nullopt;
+  if (const auto many = one->text.starts_with("the same ") ? naming.plural(object) : std::nullopt)
+    one->text = "one of the " + *many;
   return off + (place.predicate == P::OnFloor ? floor_of(one->text, !object.modifiers.empty()) : one->text);
 }
 

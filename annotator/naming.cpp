@@ -176,7 +176,7 @@ std::optional<std::string> Naming::complement(const Complement& said, Place plac
   const auto object = phrase(said.object[0], place);
   const std::string preposition = before_object(said.predicate);
   if (!object || preposition.empty()) return std::nullopt;
-  if (said.predicate == Predicate::OnFloor && (object->text == "it" || everyday()))
+  if (said.predicate == Predicate::OnFloor && !place.exact && (object->text == "it" || everyday()))
     return text + "on " + floor_of(object->text, !said.object[0].modifiers.empty());
   return text + preposition + " " + object->text;
 }
@@ -350,8 +350,8 @@ std::optional<Words> Naming::counted(const NounPhrase& said, const Noun& noun, P
       text = "no " + (plural ? many : before + noun.singular);
       break;
     case Determiner::Exactly:
-      if (everyday())
-        text = (said.number < 2 ? "just " : "") + number;
+      if (everyday() && !place.exact && said.number > 0)
+        text = (said.number == 1 ? "just " : "") + number;
       else
         text = pick({"exactly ", "exactly ", "precisely "}) + number;
       break;

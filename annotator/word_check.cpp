@@ -253,20 +253,30 @@ class Check {
   void quantifiers() {
     if (goal_.every && !any_word(words_, "every each all. both. any. everything. none. no. always. whatever others."))
       lacks("that all are meant ('every', 'all')");
-    if (goal_.none &&
+    const bool first_then = goal_.order && says(words_, "first") && says(words_, "then");
+    if (goal_.none && !first_then &&
         !any_word(words_,
                   "no. not. none. nothing. never. without. remove take. clear off. out. away. "
                   "empty. nowhere neither any. avoid don't. isn't. aren't. nor. others. only. except. but."))
       lacks("that none is ('no', 'not', 'remove')");
-    if (goal_.exactly && !any_word(words_, "exactly precisely just. only. as. equal same. more."))
+    if (goal_.exactly && !any_word(words_, "exactly precisely just. only. as. equal same. more.") &&
+        !says_number_alone())
       lacks("that the number is exact ('exactly')");
-    if (goal_.at_least && !any_word(words_, "least. fewer. minimum. more. couple. pair. few. as. or. two. three."))
+    if (goal_.at_least && !says(words_, "same number of") &&
+        !any_word(words_, "least. fewer. minimum. more. couple. pair. few. as. or. two. three."))
       lacks("'at least'");
     if (goal_.at_most && !any_word(words_, "most. more. maximum. up. than. beyond. exceed")) lacks("'at most'");
     if (!goal_.every && !goal_.none && any_word(text_.plain, "every. each. everything.") && !at_all_times() &&
         !says(words_, "one on each"))
       exceeds("'every'");
     if (!goal_.exactly && any_word(text_.plain, "exactly. precisely.")) exceeds("'exactly'");
+  }
+
+  /// "two mugs", "two bottles of apple juice": without "at least", "up to" or "a couple of".
+  bool says_number_alone() const {
+    return !goal_.numbers.empty() &&
+           !any_word(words_, "least. most. fewer. more. less. minimum. maximum. couple. few.") &&
+           !says(words_, "up to");
   }
 
   bool at_all_times() const { return goal_.throughout && says(words_, "every time"); }

@@ -65,7 +65,7 @@ constexpr std::array<ReadingRow, kPredicateCount> kReadingRows{{
     {P::Material, "", "", "made of", "", "", ""},
     {P::Size, "", "", "of the size", "", "larg big small tini tiny littl size",
      "larger. largest. bigger. biggest. smaller. smallest."},
-    {P::On, "", "on top of|onto|on", "", "", "on. onto. upon. top. over. off. from. atop. stand surface", ""},
+    {P::On, "", "on top of|onto|on", "", "", "on. onto. upon. top. over. off. from. atop. stand surface divid", ""},
     {P::Inside, "", "inside of|inside|into|in", "", "",
      "in. into. inside within. out. from. contain kept keep store fill full", ""},
     {P::NextTo, "", "next to|beside", "", "", "next. beside. near. by. adjacent. alongside.",

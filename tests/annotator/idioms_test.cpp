@@ -53,7 +53,7 @@ constexpr Said kSaid[] = {
     {"Put all the bowls on the table, and only then all the mugs.",
      "(exists (?t - Table) (and (until (count = 0 (?b - Mug) (on ?b ?t)) (forall (?a - Bowl) (on ?a ?t)))"
      " (at-end (and (forall (?a - Bowl) (on ?a ?t)) (forall (?b - Mug) (on ?b ?t))))))",
-     ", and only then "},
+     " first, and then "},
     {"Fill the mug with water, then pour it into the bowl.",
      "(exists (?a - Mug) (exists (?b - Bowl) (and (before (filled ?a water) (filled ?b water))"
      " (at-end (filled ?b water)))))",
