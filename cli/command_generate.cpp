@@ -42,7 +42,7 @@ Exit generate(GenerateOptions& options, const CommandLine& program) {
     options.configuration.splits = *splits;
   }
   if (!options.modes.empty()) {
-    auto modes = parse_modes("--modes", options.modes);
+    auto modes = parse_modes_to_make("--modes", options.modes);
     if (!modes) return refuse(modes.error());
     options.configuration.modes = *modes;
   }

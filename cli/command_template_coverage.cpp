@@ -104,7 +104,7 @@ Result<std::vector<std::size_t>> positions_of(const std::vector<std::string>& na
 Exit coverage(const TemplateCoverageOptions& options, const CommandLine& program) {
   auto simulators = parse_simulators("--simulators", options.simulators);
   if (!simulators) return refuse(simulators.error());
-  auto modes = parse_modes("--modes", options.modes);
+  auto modes = parse_modes_to_make("--modes", options.modes);
   if (!modes) return refuse(modes.error());
   const auto reading = load_resources(program.folders);
   if (!reading.errors.empty()) return refuse(reading.errors);

@@ -81,6 +81,8 @@ Exit show_prompt(const std::string& place, const std::filesystem::path& out, con
     return refuse({Error::Kind::Usage, "--show-prompt", {}, "expected TASK:STEP, as in ai2thor-00001:3"});
   if (!request.model)
     return refuse({Error::Kind::Usage, "--show-prompt", {}, "a policy is sent no prompt; leave out --policy"});
+  if (request.selection.modes.size() > 1)
+    return refuse({Error::Kind::Usage, "--show-prompt", {}, "name the mode whose prompt you want, as in --modes M2"});
   const EpisodeKey key{place.substr(0, colon), request.selection.modes.front(), 1};
   const auto done = print_step(key, step, out, request, tasks);
   return done ? Exit::Ok : refuse(done.error());

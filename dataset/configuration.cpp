@@ -73,7 +73,11 @@ Result<Grade> parse_sense(std::string_view option, std::string_view text) {
 }
 
 Result<std::vector<Mode>> parse_modes(std::string_view option, std::string_view text) {
-  auto modes = parse_names(option, text, std::vector<Mode>{kModes.begin(), kModes.end()});
+  return parse_names(option, text, std::vector<Mode>{kModes.begin(), kModes.end()});
+}
+
+Result<std::vector<Mode>> parse_modes_to_make(std::string_view option, std::string_view text) {
+  auto modes = parse_modes(option, text);
   if (modes && modes->front() != Mode::M1) modes->insert(modes->begin(), Mode::M1);
   return modes;
 }

@@ -76,7 +76,9 @@ Result<std::vector<Split>> parse_splits(std::string_view option, std::string_vie
 /// Errors: Usage naming `option` and what is accepted.
 Result<Grade> parse_sense(std::string_view option, std::string_view text);
 
-/// As above; M1 comes with the others, since their plans begin with it.
+/// As above.
 Result<std::vector<Mode>> parse_modes(std::string_view option, std::string_view text);
+/// As above, of modes to make demonstrations in: M1 comes with the others, since their plans begin with it.
+Result<std::vector<Mode>> parse_modes_to_make(std::string_view option, std::string_view text);
 
 }  // namespace unietp

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <nlohmann/json.hpp>
 
 #include "core/text.h"
+#include "scene/telling_order.h"
 
 namespace unietp {
 namespace {
@@ -85,6 +87,35 @@ std::string list(const std::string& title, const std::vector<std::string>& ids) 
   return ids.empty() ? "" : title + ": " + join(ids, ", ") + ".\n";
 }
 
+/// "kitchen_1: fridge_3, mug_9.\n" for each room, and last what is in no room; furniture before small things.
+std::string home_by_room(const Scene& start, const ModeRules& rules) {
+  std::map<std::string, std::string> room_of;
+  for (const Edge& edge : start.edges) {
+    if (edge.relation == Predicate::InRoom) room_of[edge.from] = edge.to;
+  }
+  const TellingOrder order = telling_order(start);
+  const auto things_in = [&](const std::string& room) {
+    std::vector<std::string> ids;
+    for (const bool movable : {false, true}) {
+      for (const std::size_t place : order.nodes) {
+        const Node& node = start.nodes[place];
+        const auto found = room_of.find(node.id);
+        if (node.movable == movable && (movable ? rules.movables : rules.furniture) &&
+            (found == room_of.end() ? "" : found->second) == room)
+          ids.push_back(node.id);
+      }
+    }
+    return ids;
+  };
+  std::string text;
+  for (const std::size_t place : order.rooms) {
+    const std::string& room = start.rooms[place].id;
+    const auto ids = things_in(room);
+    text += ids.empty() ? room + ".\n" : list(room, ids);
+  }
+  return text + list("In no room", things_in(""));
+}
+
 /// Before each action: what became of the one before, what the camera shows.
 std::string told_before_each(const Settings& settings) {
   const bool outcome = settings.feedback != Feedback::None;
@@ -149,10 +180,12 @@ std::string system_prompt(const Scene& start, const Settings& settings, const Pr
   if (reasoning) text += "\"reasoning\": \"one to three sentences\", ";
   text += "\"action\": \"NAME\", \"args\": [ARGUMENT]}, with \"args\": [] for an action that takes none.\n";
   text += naming_text(settings, profile) + "\nActions:\n" + action_space_text(settings.rules, profile);
-  return text + "\nWhat you know of the home:\n" + home_text(start, settings.rules);
+  return text + "\nWhat you know of the home:\n" + home_text(start, settings);
 }
 
-std::string home_text(const Scene& start, const ModeRules& rules) {
+std::string home_text(const Scene& start, const Settings& settings) {
+  const ModeRules& rules = settings.rules;
+  if (settings.global == GlobalForm::ByRoom) return home_by_room(start, rules);
   const GlobalInformation known = global_information(start, rules);
   return list("Rooms", known.rooms) + list("Furniture", known.furniture) + list("Small things", known.movables);
 }

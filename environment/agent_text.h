@@ -23,8 +23,9 @@ std::string action_space_text(const ModeRules& rules, const Profile& profile);
 
 /// How objects and rooms are named, and where the agent may go at once; a paragraph, or "" where nothing is named.
 std::string naming_text(const Settings& settings, const Profile& profile);
-/// Rooms, furniture and small things of the home at the start, one line each, as far as the rules tell of them.
-std::string home_text(const Scene& start, const ModeRules& rules);
+/// Rooms, furniture and small things of the home at the start, one line each, or on request a line for each room, as
+/// far as the rules tell of them.
+std::string home_text(const Scene& start, const Settings& settings);
 
 /// "Task: Put a mug on the table."
 std::string task_text(const std::string& instruction);

@@ -18,8 +18,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kWanted = "expected one JSON object with \"action\" and \"args\"";
-
 Error unreadable(std::string expected) { return {Error::Kind::Schema, "answer", {}, std::move(expected)}; }
 
 /// Names of the released runner that do not become ours by putting `_` for blanks.
@@ -75,7 +73,7 @@ class AnswerReader {
     AnsweredAction said;
     const Json* name = field(json, {"action", "action_name"});
     if (name == nullptr || !name->is_string() || !is_label(name->get_ref<const std::string&>())) {
-      expect(kWanted);
+      expect(std::string(kExpectedAction));
       return said;
     }
     said.command.action = action_name(name->get_ref<const std::string&>());
@@ -274,15 +272,15 @@ Result<Answer> parse_answer(std::string_view text, const AnswerFrame& frame) {
   if (text.size() > limits::kAgentAnswerBytes)
     return unreadable("expected at most " + std::to_string(limits::kAgentAnswerBytes) + " bytes");
   text = trim(text);
-  if (text.empty()) return unreadable(kWanted);
+  if (text.empty()) return unreadable(std::string(kExpectedJson));
   if (const auto json = call_with_box(text)) return AnswerReader(frame).read(*json);
   if (auto call = called(text)) return std::move(*call);
   if (const auto whole = parse_json("answer", text); whole && may_be_answer(*whole))
     return AnswerReader(frame).read(*whole);
   FoundJson found = json_within(fenced(text));
   if (found.count != 1) found = json_within(text);
-  if (found.count > 1) return unreadable("expected one JSON object, not several");
-  if (found.count == 0) return unreadable(kWanted);
+  if (found.count > 1) return unreadable(std::string(kExpectedOneObject));
+  if (found.count == 0) return unreadable(std::string(kExpectedJson));
   return AnswerReader(frame).read(*found.json);
 }
 

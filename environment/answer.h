@@ -37,6 +37,12 @@ struct AnswerFrame {
   int width = 0, height = 0;  // pixels
 };
 
+/// What parse_answer expected of an answer that it could not read as a whole; other sentences are about one field of
+/// it.
+inline constexpr std::string_view kExpectedJson = "expected one JSON object with \"action\" and \"args\"";
+inline constexpr std::string_view kExpectedOneObject = "expected one JSON object, not several";
+inline constexpr std::string_view kExpectedAction = "expected the name of an action in \"action\"";
+
 /// Reads what an agent said, any bytes. Accepted are
 ///  - {"action": "pick_up", "args": ["mug_1"]}, also with "reasoning"; an argument may be {"bbox": [x0, y0, x1, y1]}
 ///    or {"point": [x, y]}; "args" may be missing, or one argument without the list;

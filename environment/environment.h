@@ -24,7 +24,7 @@ struct EpisodeState;
 /// one environment belongs to one thread at a time. After each step it forgets what it no longer needs, so that memory
 /// does not grow with the episode. Nothing that an agent says is an exception or an Error: what cannot be read or is
 /// not allowed is a failed step with a reason.
-/// Deterministic: equal tasks, settings and actions give equal results, bit for bit, on every machine.
+/// Deterministic: equal tasks, settings and actions give equal results, bit for bit, on every x86-64 processor.
 class Environment {
  public:
   /// Starts the first episode. Errors: those of check(settings); Schema when the start cannot be built.

@@ -28,8 +28,7 @@ struct TaskListing {
 class TaskSource {
  public:
   /// How many prepared homes and tasks are kept for reuse, the last that were asked for. Enough for all of the
-  /// benchmark, with its 170 homes and 536 tasks, so that only the first round over it prepares them; docs/python.md
-  /// says how much memory that takes.
+  /// benchmark, with its 170 homes and 536 tasks, so that only the first round over it prepares them.
   struct Kept {
     std::size_t homes = 192, tasks = 640;
   };

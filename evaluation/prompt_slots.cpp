@@ -25,7 +25,7 @@ std::string actions_slot(const PromptContext& context) {
 }
 std::string naming_slot(const PromptContext& context) { return naming_text(settings(context), profile(context)); }
 std::string home_slot(const PromptContext& context) {
-  return home_text(context.environment->task()->start, settings(context).rules);
+  return home_text(context.environment->task()->start, settings(context));
 }
 std::string max_steps_slot(const PromptContext& context) {
   return std::to_string(settings(context).rules.limits.steps);

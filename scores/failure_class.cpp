@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "environment/answer.h"
 #include "scene/action.h"
 #include "scores/goal_objects.h"
 
@@ -92,12 +93,14 @@ class Rules {
     return false;
   }
 
-  /// How often the most frequent kind of failure came, the output's not counted.
-  std::pair<std::string, std::ptrdiff_t> usual_failure() const {
+  /// How often the most frequent kind of failure came. Faults of the output count as kinds when `with_output`.
+  std::pair<std::string, std::ptrdiff_t> usual_failure(bool with_output) const {
     std::map<std::string, std::ptrdiff_t> counts;
     for (const Acted& done : actions_) {
-      if (!done.action->record.success && !output_fault(*done.step, done.action->record))
-        ++counts[done.action->record.failure];
+      if (done.action->record.success) continue;
+      const auto fault = output_fault(*done.step, done.action->record);
+      if (!fault) ++counts[done.action->record.failure];
+      if (fault && with_output) ++counts["output: " + std::string(name_of(*fault))];
     }
     std::pair<std::string, std::ptrdiff_t> most{"", 0};
     for (const auto& [failure, count] : counts) {
@@ -111,7 +114,7 @@ class Rules {
     std::vector<std::string> kinds;
     if (loops()) kinds.emplace_back("loop");
     if (record_.end == EpisodeOutcome::Failures) {
-      if (2 * usual_failure().second < failed_) kinds.emplace_back("failures");
+      if (2 * usual_failure(true).second < failed_) kinds.emplace_back("failures");
     } else if (!actions_.empty()) {
       // Still getting on: more of the goal is met than three quarters of the way.
       const double before = actions_[std::max<std::size_t>(actions_.size() * 3 / 4, 1) - 1].action->progress;
@@ -155,7 +158,7 @@ class Rules {
 
   /// The same need was not met three times or more, and in half of what failed.
   std::vector<std::string> precondition() const {
-    const auto [failure, count] = usual_failure();
+    const auto [failure, count] = usual_failure(false);
     if (count < 3 || 2 * count < failed_ || failure == name_of(Failure::NoObjectThere)) return {};
     return {failure};
   }
@@ -215,8 +218,9 @@ std::string_view name_of(OutputFault fault) {
 std::optional<OutputFault> output_fault(const EpisodeStep& step, const EpisodeAction& action) {
   if (!step.unreadable.empty()) {
     if (step.finish == "length") return OutputFault::Truncated;
-    // The sentences of parse_answer (environment/answer.h): without JSON, or with several objects of it.
-    return step.unreadable.starts_with("expected one JSON object") ? OutputFault::NoJson : OutputFault::BadArgument;
+    if (step.unreadable == kExpectedAction) return OutputFault::UnknownAction;
+    const bool has_none = step.unreadable == kExpectedJson || step.unreadable == kExpectedOneObject;
+    return has_none ? OutputFault::NoJson : OutputFault::BadArgument;
   }
   if (action.failure == name_of(Failure::InvalidAction) || action.failure == name_of(Failure::NotOffered))
     return OutputFault::UnknownAction;

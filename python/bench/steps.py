@@ -47,7 +47,7 @@ def own_figures(folder: str) -> dict[str, float]:
     def resets(some: list[tuple[int, list[object]]]) -> Callable[[], int]:
         return lambda: sum(env.reset(options={"index": index}) is not None for index, _ in some)
 
-    figures["ms for a reset, home in memory"] = 1000 / rate(resets(plans))  # a process keeps fewer tasks than homes
+    figures["ms for a reset, home in memory"] = 1000 / rate(resets(plans))
     figures["ms for a reset, home and task in memory"] = 1000 / rate(resets(plans[:32]))
     figures["steps a second, boxes, resets included"] = rate(played(env, plans))
     env.reset(options={"index": 0})

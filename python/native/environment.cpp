@@ -56,6 +56,7 @@ class SharedEnvironment {
 /// The state of an environment to come back to.
 struct SavedState {
   Environment::Snapshot snapshot;
+  Settings settings;
   ArrayForm form;
   std::vector<ExecutedAction> executed;
 };
@@ -216,7 +217,7 @@ void define_privileged(nb::class_<SharedEnvironment>& environment) {
           "snapshot",
           [](SharedEnvironment& self) {
             return self.alone([](SharedEnvironment& own) {
-              return SavedState{own.environment_.snapshot(), own.form_, own.executed_};
+              return SavedState{own.environment_.snapshot(), own.environment_.settings(), own.form_, own.executed_};
             });
           },
           "The present state, to come back to. Immutable.")
@@ -224,12 +225,16 @@ void define_privileged(nb::class_<SharedEnvironment>& environment) {
           "restore",
           [](SharedEnvironment& self, const SavedState& saved) {
             self.alone([&](SharedEnvironment& own) {
+              if (own.environment_.settings() != saved.settings)
+                throw PythonError("the snapshot is of an environment with other settings");
               own.environment_.restore(saved.snapshot);
               own.form_ = saved.form;
               own.executed_ = saved.executed;
             });
           },
-          "snapshot"_a, "Goes to a snapshot of this environment or of another with the same encoding.");
+          "snapshot"_a,
+          "Goes to a snapshot of this environment or of another with the same settings and encoding. Raises Error for "
+          "other settings.");
 }
 
 }  // namespace

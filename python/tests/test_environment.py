@@ -166,7 +166,57 @@ ODD_ACTIONS = [
     {"action": "pick_up", "args": {"a": [1, {"b": "c"}]}}, {"action": "pick_up", "args": ["x"] * 1000}, [[[[]]]],
     {"action": 10**6, "argument": 0}, {"action": 17, "argument": -5}, {"action": 17, "argument": 10**9, "box": [9, 9, 0, 0]},
     {"actions": [{"action_name": "pick up", "args": {"object_id": "mug_99"}}]}, "[" * 5000, "x" * 100_000,
+    {"action": 1, "argument": None}, {"action": 1, "argument": "mug_1"}, {"action": 1, "argument": 0, "box": "x"},
+    {"action": 1, "argument": 0, "box": [1, 2]}, {"action": 1, "argument": 0, "box": None}, {"action": 1, "argument": [0]},
+    {"action": 10**30, "argument": 0}, {"action": 1, "argument": 0.5}, {"action": True, "argument": 0},
+    {"action": np.zeros(3, np.int64), "argument": 0}, {"action": 1, "argument": 0, "why": 2},
 ]
+
+
+def random_json(rng, depth=3):
+    """A JSON value, with names of fields that actions have."""
+    kind = rng.randrange(8 if depth else 6)
+    if kind == 6:
+        return [random_json(rng, depth - 1) for _ in range(rng.randrange(4))]
+    if kind == 7:
+        names = rng.sample(["action", "args", "argument", "box", "bbox", "actions", "name"], rng.randrange(5))
+        return {name: random_json(rng, depth - 1) for name in names}
+    return [None, rng.random() < 0.5, rng.randrange(-3, 60), rng.uniform(-1, 600), 10 ** rng.randrange(40), "pick_up"][kind]
+
+
+@pytest.mark.parametrize("mode", MODES)
+def test_random_json_never_raises(folder, mode):
+    env = unietp.make(folder, mode, picture=False)
+    rng = random.Random(8)
+    env.reset(seed=2)
+    for _ in range(2000):
+        *_, terminated, truncated, _ = env.step(random_json(rng))
+        if terminated or truncated:
+            env.reset()
+
+
+def test_a_snapshot_of_other_settings_is_refused(folder):
+    env, other = unietp.make(folder, "M3", picture=False), unietp.make(folder, "M1", picture=False)
+    env.reset(seed=1)
+    other.reset(seed=1)
+    with pytest.raises(unietp.Error, match="other settings"):
+        env.restore(other.snapshot())
+    assert env.observe()["boxes"] == []
+
+
+def test_wrong_arguments_are_errors_of_the_package(folder):
+    env = unietp.make(folder, "M1", picture=False)
+    for options in (5, [1], "ai2thor-00001", {"index": True}, {"index": -1}, {"task": 3}):
+        with pytest.raises(unietp.Error, match="options|no task"):
+            env.reset(options=options)
+    for count in (0, -1, 2.5, None):
+        with pytest.raises(unietp.Error, match="max_things"):
+            unietp.make(folder, "M1", max_things=count)
+    for wanted in ([], "ai2thor", 3):
+        with pytest.raises(unietp.Error, match="procedural"):
+            unietp.make(procedural=wanted)
+    with pytest.raises(unietp.Error, match="folder"):
+        unietp.make(3)
 
 
 @pytest.mark.parametrize("mode", MODES)

@@ -7,7 +7,7 @@ import numpy as np
 
 from unietp import _native
 from unietp._native import Error
-from unietp.spaces import MOST_SEED, EnvironmentSpaces, action_bytes, is_numbered
+from unietp.spaces import MOST_SEED, EnvironmentSpaces, action_bytes, numbered
 from unietp.task_source import TaskSource
 
 Snapshot = _native.Snapshot
@@ -24,7 +24,7 @@ class TaskEnv(gymnasium.Env[dict[str, np.ndarray], Any]):
     `{"action": "pick_up", "args": ["mug_1"]}`, a list of several, or the released runner's form. What cannot be read or
     is not allowed is a failed step with a reason, never an exception.
 
-    Deterministic: equal tasks, settings and actions give equal bytes on every machine. Several threads may call one
+    Deterministic: equal tasks, settings and actions give equal bytes on every x86-64 processor. Several threads may call one
     environment, one after the other; native work runs without the interpreter's lock.
     """
 
@@ -87,9 +87,8 @@ class TaskEnv(gymnasium.Env[dict[str, np.ndarray], Any]):
             with "task" and "observation", and at the end "success". After the end nothing happens.
         """
         native = self._begun()
-        if is_numbered(action):
-            box = np.asarray(action.get("box", (0, 0, 0, 0)), np.float64).tolist()
-            seen, reward, terminated, truncated = native.step_numbers(int(action["action"]), int(action["argument"]), box)
+        if (numbers := numbered(action)) is not None:
+            seen, reward, terminated, truncated = native.step_numbers(*numbers)
         else:
             seen, reward, terminated, truncated = native.step(action_bytes(action))
         observation, info = self._seen(seen)
@@ -130,7 +129,8 @@ class TaskEnv(gymnasium.Env[dict[str, np.ndarray], Any]):
         return self._begun().snapshot()
 
     def restore(self, snapshot: Snapshot) -> dict[str, Any]:
-        """Goes to a snapshot, with its task. Returns the observation there, in the form to read."""
+        """Goes to a snapshot, with its task. Returns the observation there, in the form to read. Raises Error for a snapshot
+        of an environment with other settings."""
         if self._native is None:
             self.reset()
         self._begun().restore(snapshot)

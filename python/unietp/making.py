@@ -128,7 +128,11 @@ def _name_of(mode: str) -> str:
 
 
 def _plain(path: str | os.PathLike[str] | None) -> str | None:
-    return None if path is None else os.fspath(path)
+    if path is None:
+        return None
+    if not isinstance(path, (str, os.PathLike)):
+        raise Error(f"expected the folder of a data set, not {path!r}")
+    return os.fspath(path)
 
 
 def _settings_text(mode: str, settings: dict[str, Any]) -> str:
@@ -140,6 +144,8 @@ def _settings_text(mode: str, settings: dict[str, Any]) -> str:
 
 
 def _env_spaces(source: TaskSource, mode: str, settings: dict[str, Any], max_things: int) -> EnvironmentSpaces:
+    if type(max_things) is not int or max_things < 1:
+        raise Error(f"max_things: expected a whole number of at least 1, not {max_things!r}")
     return EnvironmentSpaces(source, json.loads(_native.complete_settings(_settings_text(mode, settings))), max_things)
 
 
@@ -147,7 +153,12 @@ def _task_source(dataset: str | None, procedural: dict[str, Any] | None) -> Task
     if (dataset is None) == (procedural is None):
         raise Error("give either a data set or what new tasks to make")
     if procedural is not None:
-        return _new_tasks(json.dumps(procedural, sort_keys=True))
+        if not isinstance(procedural, dict):
+            raise Error(f"procedural: expected a dict of what new tasks to make, not {procedural!r}")
+        try:
+            return _new_tasks(json.dumps(procedural, sort_keys=True))
+        except TypeError as error:
+            raise Error(f"procedural: {error}") from error
     path = Path(dataset)
     if (path / "tasks.jsonl").is_file():
         return _stored_tasks(path.resolve(), (path / "tasks.jsonl").stat().st_mtime_ns)

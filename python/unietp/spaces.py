@@ -80,8 +80,28 @@ def action_bytes(action: Any) -> bytes:
     return action.encode("utf-8", "surrogatepass")
 
 
-def is_numbered(action: Any) -> bool:
-    """Whether it is an element of an action space, and not a dict with the name of an action."""
-    return isinstance(action, dict) and "argument" in action and isinstance(
-        action.get("action"), (int, np.integer, np.ndarray)
-    )
+def numbered(action: Any) -> tuple[int, int, list[float]] | None:
+    """The action, argument and box of an element of an action space; None for anything else, such as a dict with the name
+    of an action, numbers that are not whole or have more than 64 bits, or a box that is not four numbers."""
+    if not isinstance(action, dict) or not {"action", "argument"} <= action.keys() <= {"action", "argument", "box"}:
+        return None
+    numbers = []
+    for name in ("action", "argument"):
+        value = action[name]
+        if isinstance(value, np.ndarray) and value.ndim == 0:
+            value = value.item()
+        if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or not -(2**63) <= value < 2**63:
+            return None
+        numbers.append(int(value))
+    try:
+        box = np.asarray(action.get("box", (0, 0, 0, 0)), np.float64)
+    except (TypeError, ValueError, OverflowError):
+        return None
+    if box.shape != (4,):
+        return None
+    return numbers[0], numbers[1], box.tolist()
+
+
+def is_batch(actions: Any) -> bool:
+    """Whether it is an element of the action space of several environments: arrays by name."""
+    return isinstance(actions, dict) and {"action", "argument"} <= actions.keys()

@@ -46,10 +46,12 @@ class TaskSource:
 
     def task(self, options: dict[str, object]) -> _native.Task:
         """The task that options of `reset` name: {"task": id} or {"index": position, or seed of a new task}."""
+        if not isinstance(options, dict):
+            raise Error('expected the options {"task": ID} or {"index": NUMBER}')
         if options.keys() == {"task"} and isinstance(options["task"], str):
             return self.native.task(self.position(options["task"]))
         index = options.get("index")
-        if options.keys() == {"index"} and isinstance(index, int) and 0 <= index < 2**53:
+        if options.keys() == {"index"} and type(index) is int and 0 <= index < 2**53:
             if not self.listing or index < len(self.listing):
                 return self.native.task(index)
             raise Error(f"there is no task {index}; the data set has {len(self.listing)}")

@@ -10,7 +10,7 @@ from gymnasium.vector.utils import batch_space
 
 from unietp import _native
 from unietp._native import Error
-from unietp.spaces import MOST_SEED, EnvironmentSpaces, action_bytes, is_numbered
+from unietp.spaces import MOST_SEED, EnvironmentSpaces, action_bytes, is_batch
 from unietp.task_source import TaskSource
 
 
@@ -66,7 +66,7 @@ class VectorTaskEnv(VectorEnv[dict[str, np.ndarray], Any, np.ndarray]):
     ) -> tuple[dict[str, np.ndarray], np.ndarray, np.ndarray, np.ndarray, dict[str, Any]]:
         """One action of each environment, in their order. Returns what `TaskEnv.step` does, in arrays; `info` has
         "task" (ids) and "success" (bool, of the episodes that are over)."""
-        if is_numbered(actions):
+        if is_batch(actions):
             boxes = actions.get("box", np.zeros((self.num_envs, 4)))
             result = self._alive().step_numbers(
                 np.ascontiguousarray(actions["action"], np.int64),

@@ -207,6 +207,29 @@ TEST(EvaluateTalk, ThePromptThatIsPrintedIsTheOneThatIsSent) {
   EXPECT_EQ(server.count(), 4);
 }
 
+TEST(EvaluateTalk, OnlyTheModesThatAreNamedArePlayedAndPrinted) {
+  const ScratchFolder scratch;
+  ChatServer server([](const Received& request) { return turns_then_stops(request, 2); });
+  const std::vector<std::string> talk{"--images", "none", "--modes", "M3"};
+  ASSERT_EQ(evaluate(server.url, scratch.at("run"), talk).code, 0);
+  const auto episodes = json_lines(fs::path(scratch.at("run")) / "episodes.jsonl");
+  ASSERT_EQ(episodes.size(), 1U);
+  EXPECT_EQ(episodes[0]["mode"], "M3");
+  auto second = talk;
+  second.insert(second.end(), {"--show-prompt", episodes[0]["task"].get<std::string>() + ":2"});
+  const Ended shown = evaluate(server.url, scratch.at("run"), second);
+  EXPECT_EQ(shown.code, 0) << shown.err;
+  const auto sent = bodies(server);
+  ASSERT_EQ(sent.size(), 3U);
+  for (const Json& message : sent[1]["messages"])
+    EXPECT_THAT(shown.out, HasSubstr(message["content"].get<std::string>()));
+
+  second[3] = "M2,M3";
+  const Ended unclear = evaluate(server.url, scratch.at("run"), second);
+  EXPECT_EQ(unclear.code, 2);
+  EXPECT_THAT(unclear.err, HasSubstr("name the mode"));
+}
+
 TEST(EvaluateTalk, TheRequestHasTheFieldsThatAreAskedFor) {
   const ScratchFolder scratch;
   ChatServer server([](const Received&) { return completion("<think>it is done</think>" + std::string(kStop)); });

@@ -104,6 +104,18 @@ TEST(WhatAnAgentIsTold, ComesByRoomOnRequest) {
   }
   EXPECT_EQ(furniture, home.furniture.size());
   EXPECT_EQ(movables, home.movables.size());
+
+  // The prompt tells the same.
+  const std::string prompt = environment.prompt();
+  for (const RoomContents& room : home.by_room) {
+    std::string line = room.room.id + ":";
+    for (const auto* things : {&room.furniture, &room.movables}) {
+      for (const NamedThing& thing : *things) line += " " + thing.id + ",";
+    }
+    line.back() = '.';
+    EXPECT_THAT(prompt, HasSubstr("\n" + line + "\n"));
+  }
+  EXPECT_THAT(prompt, Not(HasSubstr("Furniture:")));
 }
 
 TEST(WhatAnAgentMayDo, TeleportsAsFarAsTheColumnSays) {

@@ -77,7 +77,10 @@ bool names_body(std::string_view text) {
   static const std::map<std::string, std::function<bool(std::string_view)>, std::less<>> kOptions{
       {"simulators", [](std::string_view value) { return accepted_list(parse_simulators("--simulators", value)); }},
       {"splits", [](std::string_view value) { return accepted_list(parse_splits("--splits", value)); }},
-      {"modes", [](std::string_view value) { return accepted_list(parse_modes("--modes", value)); }},
+      {"modes",
+       [](std::string_view value) {
+         return accepted_list(parse_modes("--modes", value)) && accepted_list(parse_modes_to_make("--modes", value));
+       }},
       {"sense", grade_body},
       {"bind", binding_body},
       {"fact", fact_body},
