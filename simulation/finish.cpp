@@ -11,10 +11,19 @@ namespace {
 /// How much of a pattern with this many lines a metre can be seen: less, the nearer a line is to a pixel's width.
 double seen(const SurfacePoint& point, double lines) { return std::clamp(1.6 - 3 * lines * point.pixel_m, 0.0, 1.0); }
 
-/// Boards with rings, along the longest side.
+/// The longest side of the body that lies in the face of the point: an axis.
+Vec3::Index grain_of(const Look& look, const SurfacePoint& point) {
+  Vec3::Index face = 0, along = 0;
+  point.normal.cwiseAbs().maxCoeff(&face);
+  Vec3 sides = look.half;
+  sides[face] = 0;
+  sides.maxCoeff(&along);
+  return along;
+}
+
+/// Boards with rings, along the longest side of a face.
 void wood(const Look& look, const SurfacePoint& point, Finish& finish) {
-  Vec3::Index along = 0;
-  look.half.maxCoeff(&along);
+  const Vec3::Index along = grain_of(look, point);
   Vec3 stretched = 30 * point.at;
   stretched[along] /= 14;
   const double rings = noise(stretched, look.seed), streak = wave(2.2 * rings + 0.3 * stretched.sum());
@@ -23,10 +32,9 @@ void wood(const Look& look, const SurfacePoint& point, Finish& finish) {
   finish.gloss = 0.12;
 }
 
-/// Brushed along the longest side.
+/// Brushed along the longest side of a face.
 void metal(const Look& look, const SurfacePoint& point, Finish& finish) {
-  Vec3::Index along = 0;
-  look.half.maxCoeff(&along);
+  const Vec3::Index along = grain_of(look, point);
   Vec3 stretched = 420 * point.at;
   stretched[along] /= 60;
   finish.colour *= 1 - 0.16 * seen(point, 160) * noise(stretched, look.seed);

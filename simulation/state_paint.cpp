@@ -214,7 +214,7 @@ void appliance(const Look& look, const SurfacePoint& point, Finish& finish) {
   if (!top && point.normal.y() > -0.4 && look.half.maxCoeff() > 0.3) return;
   const double x = top || std::abs(point.normal.y()) > 0.7 ? point.inner.x() : point.inner.y();
   const double y = top ? point.inner.y() : point.inner.z();
-  if ((Vec2(x, y) - Vec2(0.74, 0.7)).squaredNorm() < 0.02) {
+  if ((Vec2(x, y) - Vec2(0.74, 0.7)).squaredNorm() < 0.006) {
     finish = look.on ? Finish{{70, 255, 90}, 0, 0, true} : Finish{{70, 30, 30}, 0.2};
   } else if (std::abs(x) < 0.6 && std::abs(y) < 0.55) {
     finish = look.on ? Finish{mixed({255, 214, 130}, {255, 246, 214}, ramp(-0.6, 0.6, y)), 0, 0, true}
