@@ -16,7 +16,7 @@ constexpr std::array<std::string_view, 3> kSmall{"small", "smaller", "smallest"}
 }  // namespace
 
 std::optional<Complement> PhraseReader::adjective() const {
-  for (const ReadForm& state : state_forms())
+  for (const PredicatePhrase& state : state_phrases())
     if (peek() == state.words) return Complement{state.predicate, false, "", {}};
   if (lexicon_.is_colour(peek())) return Complement{P::Colour, false, peek(), {}};
   if (peek() == "wooden") return Complement{P::Material, false, "wood", {}};
@@ -28,16 +28,16 @@ std::optional<Complement> PhraseReader::adjective() const {
 
 bool PhraseReader::complement_comes() const {
   if (peek() == "not" || lexicon_.is_colour(peek())) return true;
-  for (const ReadForm& words : state_forms())
+  for (const PredicatePhrase& words : state_phrases())
     if (comes(words.words)) return true;
-  for (const ReadForm& words : preposition_forms())
+  for (const PredicatePhrase& words : preposition_phrases())
     if (comes(words.words)) return true;
-  const auto symbols = symbol_forms();
-  return std::any_of(symbols.begin(), symbols.end(), [&](const ReadForm& words) { return comes(words.words); });
+  const auto symbols = symbol_phrases();
+  return std::any_of(symbols.begin(), symbols.end(), [&](const PredicatePhrase& words) { return comes(words.words); });
 }
 
 std::optional<Predicate> PhraseReader::preposition() {
-  for (const ReadForm& words : preposition_forms())
+  for (const PredicatePhrase& words : preposition_phrases())
     if (accept(words.words)) return words.predicate;
   return std::nullopt;
 }
@@ -69,9 +69,9 @@ Complement PhraseReader::complement() {
     read.negated = !read.negated;
     return read;
   }
-  for (const ReadForm& words : state_forms())
+  for (const PredicatePhrase& words : state_phrases())
     if (accept(words.words)) return {words.predicate, false, "", {}};
-  for (const ReadForm& words : symbol_forms())
+  for (const PredicatePhrase& words : symbol_phrases())
     if (accept(words.words)) return {words.predicate, false, symbol(), {}};
   if (lexicon_.is_colour(peek())) return {P::Colour, false, tokens_[at_++].text, {}};
   if (accept("on its floor")) {
