@@ -243,7 +243,7 @@ std::optional<Words> Naming::again(const NounPhrase& said, const Noun& noun, Pla
   const bool close = std::find(mentioned_.rbegin(), mentioned_.rend(), said.variable) - mentioned_.rbegin() < 2;
   mentioned_.push_back(said.variable);
   const bool clear = close && (!place.moved || topic_ == said.variable);
-  if (!place.exact && everyday() && clear && named_.size() > 1 && !place.inside_description && rng_.chance(0.9))
+  if (!place.exact && everyday() && clear && named_.size() > 1 && !place.inside_description && rng_.chance(0.97))
     return is_plural(noun) ? Words{"them", true} : Words{"it"};
   if (!place.exact && named_.size() == 1 && (everyday() || style_ == Style::Anaphora || rng_.chance(0.7)))
     return is_plural(noun) ? Words{"them", true} : Words{"it"};

@@ -42,8 +42,14 @@ std::optional<Predicate> PhraseReader::preposition() {
   return std::nullopt;
 }
 
-/// "the bedroom floor": the room.
+/// "the bedroom floor", "its floor": the room.
 std::optional<NounPhrase> PhraseReader::room_floor() {
+  if (accept("its floor")) {
+    NounPhrase room;
+    room.determiner = Determiner::It;
+    room.column = column();
+    return room;
+  }
   if (peek() != "the" && peek() != "a" && peek() != "an") return std::nullopt;
   const auto room = lexicon_.room_at(tokens_, at_ + 1);
   if (room.length == 0 || peek(1 + room.length) != "floor") return std::nullopt;
@@ -74,12 +80,6 @@ Complement PhraseReader::complement() {
   for (const PredicatePhrase& words : symbol_phrases())
     if (accept(words.words)) return {words.predicate, false, symbol(), {}};
   if (lexicon_.is_colour(peek())) return {P::Colour, false, tokens_[at_++].text, {}};
-  if (accept("on its floor")) {
-    NounPhrase room;
-    room.determiner = Determiner::It;
-    room.column = column();
-    return {P::OnFloor, false, "", {room}};
-  }
   if (comes("on")) {
     const std::size_t here = at_++;
     if (auto room = room_floor()) return {P::OnFloor, false, "", {*std::move(room)}};

@@ -53,7 +53,7 @@ constexpr std::array<ReadingRow, kPredicateCount> kReadingRows{{
     {P::Unfolded, "unfolded", "", "", "unfold", "unfold spread open", "unfold. unfolded."},
     {P::PluggedIn, "plugged in", "", "", "plug in|plug _ in", "plug", ""},
     {P::Unplugged, "unplugged", "", "", "unplug", "unplug plug disconnect", "unplug. unplugged."},
-    {P::Held, "in your hand|in your hands|held", "", "", "pick up|pick _ up|end up holding|hold|grab",
+    {P::Held, "in your hand|in your hands|held", "", "", "pick up|pick _ up|end up holding|hold on to|hold|grab",
      "hold held hand pick carry carri grab grasp down. somewhere.", "hold. holding. held."},
     {P::SatOn, "sat on", "", "", "sit down on|sit on", "sit sat. seat", "sit. seated."},
     {P::LainOn, "lain on", "", "", "lie down on|lie on", "lie lying lain lay", "lie. lain. lying."},
