@@ -53,6 +53,8 @@ std::optional<std::string> Naming::name_of(const Domain::Member& member, bool pl
   const NounTable::Name& name = found->second;
   countable = name.countable || member.slice;
   if (member.slice) {
+    for (const char* const several : {"slice of ", "bunch of "})  // nobody speaks of a slice of these
+      if (name.singular.starts_with(several)) return std::nullopt;
     const std::string fresh = may_mean_what_is_there("slice of " + name.singular) ? "freshly cut " : "";
     return fresh + (plural ? "slices of " : "slice of ") + name.singular;
   }
