@@ -22,7 +22,7 @@ RawCategory listed(const std::string& name, const behavior::Facts& facts) {
   if (!boxes.empty()) raw.extents = median(boxes);
   raw.extents_source = behavior::kInventory;
   if (facts.mass > 0) raw.mass = facts.mass;
-  raw.mass_source = behavior::kTable;
+  raw.mass_source = facts.weighed ? std::string("curated") : behavior::kTable;
   constexpr double kHeaviestPick_kg = 15, kLargestPick_m = 1.0;
   raw.movable = !facts.properties.contains("sceneObject") && facts.mass <= kHeaviestPick_kg &&
                 (!raw.extents || raw.extents->maxCoeff() <= kLargestPick_m);

@@ -124,6 +124,19 @@ std::optional<Error> read_denied(Metadata& metadata, const std::filesystem::path
   return errors.empty() ? std::nullopt : std::optional(errors.front());
 }
 
+/// masses.csv: masses in kilograms of things whose mass in category_mapping.csv nobody would believe, such as a pair's.
+std::optional<Error> read_masses(Metadata& metadata, const std::filesystem::path& path) {
+  std::vector<Error> errors;
+  each_row(path, {"name", "mass"}, errors, [&](RowReader& row) {
+    const auto found = metadata.categories.find(row.text("name"));
+    const double mass = row.number("mass", 0.001, 100, true);
+    if (found == metadata.categories.end()) return row.fail("name", "no '" + row.text("name") + "' in the metadata");
+    found->second.mass = mass;
+    found->second.weighed = true;
+  });
+  return errors.empty() ? std::nullopt : std::optional(errors.front());
+}
+
 }  // namespace
 
 Result<Metadata> read_behavior(const std::filesystem::path& folder, const std::filesystem::path& curated,
@@ -159,6 +172,7 @@ Result<Metadata> read_behavior(const std::filesystem::path& folder, const std::f
   add_models(metadata, *inventory);
   add_rooms(metadata, *scenes, {*rooms, *no_homes});
   if (const auto error = read_denied(metadata, curated / "denied.csv")) return *error;
+  if (const auto error = read_masses(metadata, curated / "masses.csv")) return *error;
   return metadata;
 }
 

@@ -196,12 +196,12 @@ Word Words::word(const std::string& name) const {
   const auto movable = cell(name, "movable");
   c.movable = movable.empty() ? can_be_carried(facts, c.size) : movable == "true";
   const auto whole = metadata_.categories.find(name.starts_with("half_") ? name.substr(5) : "");
-  if (whole != metadata_.categories.end() && facts.mass >= whole->second.mass) {
+  if (whole != metadata_.categories.end() && (facts.mass >= whole->second.mass || whole->second.weighed)) {
     c.mass = std::max(0.001, std::round(whole->second.mass * 500) / 1000);
     c.mass_source = {"derived:half", 0.8};
   } else if (facts.mass > 0) {
     c.mass = std::max(0.001, facts.mass);
-    c.mass_source = {kTable, 0.9};
+    c.mass_source = facts.weighed ? Source{"curated", 0.8} : Source{kTable, 0.9};
   } else {  // about as heavy as water
     c.mass = std::max(0.001, std::round(c.size.prod() * 1e6) / 1e3);
     c.mass_source = {"derived:density", 0.5};

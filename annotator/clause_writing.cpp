@@ -327,7 +327,9 @@ std::optional<std::string> ClauseWriter::filled(const std::string& pattern, cons
   const bool moved = pattern.find("{o}") != std::string::npos;
   const auto subjects = subjects_of(clause, {.bare = bare, .moved = moved});
   if (!subjects) return std::nullopt;
-  std::string text = with_particle_order(pattern, subjects->text, clause.complements[0]);
+  // "Wash a mug and hold it": it is in the hand already.
+  const bool held = naming_.everyday() && subjects->text == "it" && clause.complements[0].predicate == Predicate::Held;
+  std::string text = held ? "hold on to {s}" : with_particle_order(pattern, subjects->text, clause.complements[0]);
   text = replace_all(text, "{m}", replace_all(clause.complements[0].symbol, "_", " "));
   if (!clause.complements[0].object.empty()) {
     Place place = place_of(clause);

@@ -165,7 +165,7 @@ Clause ClauseReader::changed() {
     words_.go_back(here);
     if (!on) break;
   }
-  for (const ReadForm& verb : verb_forms()) {
+  for (const PredicatePhrase& verb : verb_phrases()) {
     if (!words_.accept(verb.words)) continue;
     words_.set_bare_places(verb.after.empty());
     clause.subjects = words_.phrases(clause.any_subject);

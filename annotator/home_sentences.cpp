@@ -31,10 +31,10 @@ std::vector<std::string> places_of(const Formula& part, const Formula& goal) {
   return found;
 }
 
-class Teller {
+class SentenceWriter {
  public:
-  Teller(const Trace& start, const Formula& goal, const std::vector<std::string>& own, const Knowledge& knowledge,
-         const NounTable& nouns)
+  SentenceWriter(const Trace& start, const Formula& goal, const std::vector<std::string>& own,
+                 const Knowledge& knowledge, const NounTable& nouns)
       : start_(start),
         facts_(start.states.front()),
         own_(own),
@@ -98,7 +98,7 @@ class Teller {
 std::vector<std::string> home_sentences(const Trace& start, const Formula& goal, const std::vector<std::string>& own,
                                         const Knowledge& knowledge, const NounTable& nouns, Rng rng) {
   if (start.states.empty()) return {};
-  auto told = Teller(start, goal, own, knowledge, nouns).sentences();
+  auto told = SentenceWriter(start, goal, own, knowledge, nouns).sentences();
   rng.shuffle(told);
   return told;
 }

@@ -44,9 +44,10 @@ bool asks_for(const Formula& formula, Predicate state) {
 }
 
 /// What a text is held against: the specification with its goal expanded, and what is known of the home.
-class Judge {
+class TextChecker {
  public:
-  Judge(const Specification& specification, const Knowledge& knowledge, const NounTable& lexicon, const Scene* home)
+  TextChecker(const Specification& specification, const Knowledge& knowledge, const NounTable& lexicon,
+              const Scene* home)
       : specification_(specification),
         knowledge_(knowledge),
         lexicon_(lexicon),
@@ -58,7 +59,7 @@ class Judge {
         goal_(expanded(specification.goal)),
         plain_goal_(expanded(plainly_in_home(goal_, counts_))),
         goal_here_(expanded(as_in_home(goal_, counts_))) {}
-  Judge(const Judge&) = delete;
+  TextChecker(const TextChecker&) = delete;
 
   const Formula& goal() const { return goal_; }
   /// As a text about this home says it.
@@ -121,7 +122,7 @@ class Judge {
 };
 
 /// Adds to a text what a style has besides what is asked. False when there is nothing to add.
-bool add_style_frame(std::string& text, const Specification& specification, Style style, const Judge& judge,
+bool add_style_frame(std::string& text, const Specification& specification, Style style, const TextChecker& judge,
                      const Knowledge& knowledge, const NounTable& lexicon, Rng& rng) {
   std::vector<std::string> sentences;
   if (style == Style::Context || text.find("what I need") != std::string::npos) {
@@ -156,7 +157,7 @@ std::optional<std::string> request_for(const Formula& goal, const NounTable& lex
 
 /// A wording of the plan from the set of phrasings asked for; about half of all wordings are.
 std::optional<std::string> worded(const Plan& plan, const NounTable& lexicon, Style style, Phrasings set,
-                                  const Judge& judge, const Rng& rng) {
+                                  const TextChecker& judge, const Rng& rng) {
   constexpr std::uint64_t kWordings = 4;
   const Wording wording{style, set == Phrasings::Everyday, judge.alone(), judge.there()};
   for (std::uint64_t i = 0; i < kWordings; ++i) {
@@ -279,7 +280,7 @@ class Writer {
   const Knowledge& knowledge_;
   const NounTable& nouns_;
   const WritingOptions& options_;
-  Judge judge_;
+  TextChecker judge_;
   std::string last_;
 };
 
@@ -312,7 +313,7 @@ std::vector<std::string> check_instruction(const std::string& text, const Specif
 std::vector<std::string> check_instruction(const std::string& text, const Specification& specification,
                                            const Knowledge& knowledge, const NounTable& nouns, const Scene* home) {
   const auto narrowed = narrowed_for(specification, knowledge, nouns);
-  return Judge(specification, knowledge, narrowed ? *narrowed : nouns, home).faults(text);
+  return TextChecker(specification, knowledge, narrowed ? *narrowed : nouns, home).faults(text);
 }
 
 }  // namespace unietp

@@ -53,6 +53,8 @@ std::optional<std::string> Naming::name_of(const Domain::Member& member, bool pl
   const NounTable::Name& name = found->second;
   countable = name.countable || member.slice;
   if (member.slice) {
+    for (const char* const several : {"slice of ", "bunch of "})  // nobody speaks of a slice of these
+      if (name.singular.starts_with(several)) return std::nullopt;
     const std::string fresh = may_mean_what_is_there("slice of " + name.singular) ? "freshly cut " : "";
     return fresh + (plural ? "slices of " : "slice of ") + name.singular;
   }
@@ -243,7 +245,7 @@ std::optional<Words> Naming::again(const NounPhrase& said, const Noun& noun, Pla
   const bool close = std::find(mentioned_.rbegin(), mentioned_.rend(), said.variable) - mentioned_.rbegin() < 2;
   mentioned_.push_back(said.variable);
   const bool clear = close && (!place.moved || topic_ == said.variable);
-  if (!place.exact && everyday() && clear && named_.size() > 1 && !place.inside_description && rng_.chance(0.9))
+  if (!place.exact && everyday() && clear && named_.size() > 1 && !place.inside_description && rng_.chance(0.97))
     return is_plural(noun) ? Words{"them", true} : Words{"it"};
   if (!place.exact && named_.size() == 1 && (everyday() || style_ == Style::Anaphora || rng_.chance(0.7)))
     return is_plural(noun) ? Words{"them", true} : Words{"it"};

@@ -26,9 +26,9 @@ bool is_separable(const Formula& where) {
   return where.children[0].op == Op::Atom && mentions(where.children[0], where.variable);
 }
 
-class Speller {
+class PropositionPlanner {
  public:
-  explicit Speller(PhrasePlanner& phrases) : phrases_(phrases) {}
+  explicit PropositionPlanner(PhrasePlanner& phrases) : phrases_(phrases) {}
 
   Proposition of(const Formula& f) {
     switch (f.op) {
@@ -167,7 +167,9 @@ Formula unsaid(const Formula& f) {
 
 }  // namespace
 
-Proposition proposition_of(const Formula& formula, PhrasePlanner& phrases) { return Speller(phrases).of(formula); }
+Proposition proposition_of(const Formula& formula, PhrasePlanner& phrases) {
+  return PropositionPlanner(phrases).of(formula);
+}
 
 Formula gathered(const Formula& formula) {
   const bool tied = std::any_of(formula.children.begin(), formula.children.end(), is_missing);

@@ -308,7 +308,7 @@ bool PhraseReader::room_before_noun(NounPhrase& read) {
   if (room.length == 0) return false;
   const auto whole = lexicon_.noun_at(tokens_, at_), rest = lexicon_.noun_at(tokens_, at_ + room.length);
   if (rest.length == 0 || rest.plural) return false;
-  if (whole.length > room.length) return false;
+  if (whole.length > room.length || (rest.length == 1 && peek(room.length) == "floor")) return false;
   NounPhrase place;
   place.determiner = Determiner::The;
   place.noun = room.nouns.front();

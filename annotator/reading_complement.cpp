@@ -16,7 +16,7 @@ constexpr std::array<std::string_view, 3> kSmall{"small", "smaller", "smallest"}
 }  // namespace
 
 std::optional<Complement> PhraseReader::adjective() const {
-  for (const ReadForm& state : state_forms())
+  for (const PredicatePhrase& state : state_phrases())
     if (peek() == state.words) return Complement{state.predicate, false, "", {}};
   if (lexicon_.is_colour(peek())) return Complement{P::Colour, false, peek(), {}};
   if (peek() == "wooden") return Complement{P::Material, false, "wood", {}};
@@ -28,22 +28,28 @@ std::optional<Complement> PhraseReader::adjective() const {
 
 bool PhraseReader::complement_comes() const {
   if (peek() == "not" || lexicon_.is_colour(peek())) return true;
-  for (const ReadForm& words : state_forms())
+  for (const PredicatePhrase& words : state_phrases())
     if (comes(words.words)) return true;
-  for (const ReadForm& words : preposition_forms())
+  for (const PredicatePhrase& words : preposition_phrases())
     if (comes(words.words)) return true;
-  const auto symbols = symbol_forms();
-  return std::any_of(symbols.begin(), symbols.end(), [&](const ReadForm& words) { return comes(words.words); });
+  const auto symbols = symbol_phrases();
+  return std::any_of(symbols.begin(), symbols.end(), [&](const PredicatePhrase& words) { return comes(words.words); });
 }
 
 std::optional<Predicate> PhraseReader::preposition() {
-  for (const ReadForm& words : preposition_forms())
+  for (const PredicatePhrase& words : preposition_phrases())
     if (accept(words.words)) return words.predicate;
   return std::nullopt;
 }
 
-/// "the bedroom floor": the room.
+/// "the bedroom floor", "its floor": the room.
 std::optional<NounPhrase> PhraseReader::room_floor() {
+  if (accept("its floor")) {
+    NounPhrase room;
+    room.determiner = Determiner::It;
+    room.column = column();
+    return room;
+  }
   if (peek() != "the" && peek() != "a" && peek() != "an") return std::nullopt;
   const auto room = lexicon_.room_at(tokens_, at_ + 1);
   if (room.length == 0 || peek(1 + room.length) != "floor") return std::nullopt;
@@ -69,17 +75,11 @@ Complement PhraseReader::complement() {
     read.negated = !read.negated;
     return read;
   }
-  for (const ReadForm& words : state_forms())
+  for (const PredicatePhrase& words : state_phrases())
     if (accept(words.words)) return {words.predicate, false, "", {}};
-  for (const ReadForm& words : symbol_forms())
+  for (const PredicatePhrase& words : symbol_phrases())
     if (accept(words.words)) return {words.predicate, false, symbol(), {}};
   if (lexicon_.is_colour(peek())) return {P::Colour, false, tokens_[at_++].text, {}};
-  if (accept("on its floor")) {
-    NounPhrase room;
-    room.determiner = Determiner::It;
-    room.column = column();
-    return {P::OnFloor, false, "", {room}};
-  }
   if (comes("on")) {
     const std::size_t here = at_++;
     if (auto room = room_floor()) return {P::OnFloor, false, "", {*std::move(room)}};

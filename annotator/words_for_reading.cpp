@@ -53,7 +53,7 @@ constexpr std::array<ReadingRow, kPredicateCount> kReadingRows{{
     {P::Unfolded, "unfolded", "", "", "unfold", "unfold spread open", "unfold. unfolded."},
     {P::PluggedIn, "plugged in", "", "", "plug in|plug _ in", "plug", ""},
     {P::Unplugged, "unplugged", "", "", "unplug", "unplug plug disconnect", "unplug. unplugged."},
-    {P::Held, "in your hand|in your hands|held", "", "", "pick up|pick _ up|end up holding|hold|grab",
+    {P::Held, "in your hand|in your hands|held", "", "", "pick up|pick _ up|end up holding|hold on to|hold|grab",
      "hold held hand pick carry carri grab grasp down. somewhere.", "hold. holding. held."},
     {P::SatOn, "sat on", "", "", "sit down on|sit on", "sit sat. seat", "sit. seated."},
     {P::LainOn, "lain on", "", "", "lie down on|lie on", "lie lying lain lay", "lie. lain. lying."},
@@ -87,7 +87,7 @@ constexpr bool in_order_of_the_enum() {
 }
 static_assert(in_order_of_the_enum());
 
-ReadForm form_of(std::string_view text, Predicate predicate) {
+PredicatePhrase form_of(std::string_view text, Predicate predicate) {
   constexpr std::string_view kObject = " _ ";
   const auto gap = text.find(kObject);
   if (gap == std::string_view::npos) return {text, {}, false, predicate};
@@ -98,8 +98,8 @@ ReadForm form_of(std::string_view text, Predicate predicate) {
 }
 
 /// All forms of one column, those of more words first.
-std::vector<ReadForm> forms(std::string_view ReadingRow::*column) {
-  std::vector<ReadForm> all;
+std::vector<PredicatePhrase> forms(std::string_view ReadingRow::*column) {
+  std::vector<PredicatePhrase> all;
   for (const ReadingRow& row : kReadingRows) {
     for (std::string_view rest = row.*column; !rest.empty();) {
       const auto end = std::min(rest.find('|'), rest.size());
@@ -107,29 +107,30 @@ std::vector<ReadForm> forms(std::string_view ReadingRow::*column) {
       rest.remove_prefix(std::min(end + 1, rest.size()));
     }
   }
-  const auto words = [](const ReadForm& form) { return std::count(form.words.begin(), form.words.end(), ' '); };
-  std::stable_sort(all.begin(), all.end(), [&](const ReadForm& a, const ReadForm& b) { return words(a) > words(b); });
+  const auto words = [](const PredicatePhrase& form) { return std::count(form.words.begin(), form.words.end(), ' '); };
+  std::stable_sort(all.begin(), all.end(),
+                   [&](const PredicatePhrase& a, const PredicatePhrase& b) { return words(a) > words(b); });
   return all;
 }
 
 }  // namespace
 
-std::span<const ReadForm> state_forms() {
+std::span<const PredicatePhrase> state_phrases() {
   static const auto all = forms(&ReadingRow::states);
   return all;
 }
 
-std::span<const ReadForm> preposition_forms() {
+std::span<const PredicatePhrase> preposition_phrases() {
   static const auto all = forms(&ReadingRow::prepositions);
   return all;
 }
 
-std::span<const ReadForm> symbol_forms() {
+std::span<const PredicatePhrase> symbol_phrases() {
   static const auto all = forms(&ReadingRow::symbols);
   return all;
 }
 
-std::span<const ReadForm> verb_forms() {
+std::span<const PredicatePhrase> verb_phrases() {
   static const auto all = forms(&ReadingRow::verbs);
   return all;
 }

@@ -10,7 +10,7 @@
 namespace unietp {
 
 /// Words that say a predicate.
-struct ReadForm {
+struct PredicatePhrase {
   std::string_view words;
   std::string_view after;  // of verbs: what follows the object ("cut ... into slices")
   bool optional = false;   // `after` may be left out
@@ -19,13 +19,13 @@ struct ReadForm {
 
 // Of forms that begin alike, the longer comes first.
 /// States of one object, after "is": "closed", "shut".
-std::span<const ReadForm> state_forms();
+std::span<const PredicatePhrase> state_phrases();
 /// Prepositions of relations: "next to".
-std::span<const ReadForm> preposition_forms();
+std::span<const PredicatePhrase> preposition_phrases();
 /// Words before a substance or an attribute: "filled with".
-std::span<const ReadForm> symbol_forms();
+std::span<const PredicatePhrase> symbol_phrases();
 /// Verbs that bring a state about: "switch on".
-std::span<const ReadForm> verb_forms();
+std::span<const PredicatePhrase> verb_phrases();
 
 /// Words that may say a state or relation, in any text: whoever says it uses one of these. Beginnings of words, with
 /// blanks between: "open clos". "" for what needs no word of its own.

@@ -10,8 +10,8 @@
 namespace unietp {
 namespace {
 
-NamedThing named(const Room& room) { return {room.id, room.type}; }
-NamedThing named(const Node& node) { return {node.id, node.category}; }
+NamedEntity named(const Room& room) { return {room.id, room.type}; }
+NamedEntity named(const Node& node) { return {node.id, node.category}; }
 
 std::string argument_text(const Argument& argument, const World& world, const Settings& settings,
                           const AnswerFrame& frame) {
@@ -60,15 +60,15 @@ std::shared_ptr<const HomeInformation> home_information(const World& start, cons
   return home;
 }
 
-std::vector<SeenObject> seen_objects(const ModeEpisode& episode) {
-  std::vector<SeenObject> seen;
+std::vector<ObservedObject> visible_objects(const ModeEpisode& episode) {
+  std::vector<ObservedObject> seen;
   for (const VisibleObject& object : episode.visible())
     seen.push_back({object.id, episode.world().find(object.id)->category, object.box});
   return seen;
 }
 
-std::vector<HeldThing> held_things(const World& world, const ModeRules& rules) {
-  std::vector<HeldThing> held;
+std::vector<HeldObject> held_objects(const World& world, const ModeRules& rules) {
+  std::vector<HeldObject> held;
   for (const std::string& id : world.agent().held) {
     const Node* node = world.find(id);
     held.push_back({tells_ids(rules) ? id : "", node == nullptr ? "" : node->category});

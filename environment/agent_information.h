@@ -20,10 +20,10 @@ bool tells_ids(const ModeRules& rules);
 std::shared_ptr<const HomeInformation> home_information(const World& start, const Settings& settings);
 
 /// The objects in view before the next step; the rules must tell boxes.
-std::vector<SeenObject> seen_objects(const ModeEpisode& episode);
+std::vector<ObservedObject> visible_objects(const ModeEpisode& episode);
 
 /// What is in the hands, without ids where objects have none.
-std::vector<HeldThing> held_things(const World& world, const ModeRules& rules);
+std::vector<HeldObject> held_objects(const World& world, const ModeRules& rules);
 
 /// An executed command as the agent is told of it. Names of objects are repeated only where objects have ids, names of
 /// actions only where there is such an action, and nothing without feedback. `frame`: of its boxes.

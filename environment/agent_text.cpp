@@ -131,7 +131,7 @@ std::string became(bool success, const std::string& feedback) {
 
 /// "id numbers; id numbers"
 template <class Numbers>
-std::string things_in_view(const std::vector<std::pair<std::string, Numbers>>& things) {
+std::string objects_in_view(const std::vector<std::pair<std::string, Numbers>>& things) {
   if (things.empty()) return "Nothing is in view.";
   std::string text = "In view:";
   for (const auto& [id, numbers] : things) {
@@ -195,7 +195,7 @@ std::string task_text(const std::string& instruction) { return "Task: " + instru
 std::string view_text(const std::vector<VisibleObject>& visible) {
   std::vector<std::pair<std::string, PixelBox>> things;
   for (const VisibleObject& object : visible) things.emplace_back(object.id, object.box);
-  return things_in_view(things);
+  return objects_in_view(things);
 }
 
 std::string outcome_text(bool success, const std::string& feedback) {
@@ -222,14 +222,14 @@ std::string boxes_text(const Observation& observation, const Settings& settings)
   if (!observation.boxes) return "";
   if (settings.box_form == BoxForm::Pixels) {
     std::vector<std::pair<std::string, PixelBox>> things;
-    for (const SeenObject& object : *observation.boxes) things.emplace_back(object.id, object.box);
-    return things_in_view(things);
+    for (const ObservedObject& object : *observation.boxes) things.emplace_back(object.id, object.box);
+    return objects_in_view(things);
   }
   std::vector<std::pair<std::string, std::vector<double>>> things;
-  for (const SeenObject& object : *observation.boxes)
+  for (const ObservedObject& object : *observation.boxes)
     things.emplace_back(object.id,
                         box_in_form(object.box, settings.box_form, observation.image_width, observation.image_height));
-  return things_in_view(things);
+  return objects_in_view(things);
 }
 
 std::string observation_text(const Observation& observation, const Settings& settings) {

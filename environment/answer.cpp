@@ -30,8 +30,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kReleaseN
 }};
 
 /// "Heat the object in hand with" and "heat_with" are one action.
-std::string action_name(std::string_view said) {
-  std::string name = lower(trim(said));
+std::string action_name(std::string_view text) {
+  std::string name = lower(trim(text));
   std::replace(name.begin(), name.end(), ' ', '_');
   std::replace(name.begin(), name.end(), '-', '_');
   for (const auto& [theirs, ours] : kReleaseNames) {
@@ -70,24 +70,24 @@ class AnswerReader {
   }
 
   AnsweredAction action(const Json& json) {
-    AnsweredAction said;
+    AnsweredAction answered;
     const Json* name = field(json, {"action", "action_name"});
     if (name == nullptr || !name->is_string() || !is_label(name->get_ref<const std::string&>())) {
       expect(std::string(kExpectedAction));
-      return said;
+      return answered;
     }
-    said.command.action = action_name(name->get_ref<const std::string&>());
+    answered.command.action = action_name(name->get_ref<const std::string&>());
     const Json* args = field(json, {"args", "arguments"});
-    if (args == nullptr || args->is_null()) return said;
+    if (args == nullptr || args->is_null()) return answered;
     if (args->is_array() && !is_numbers(*args, 4) && !is_numbers(*args, 2)) {
       if (args->size() > 1) expect("expected at most one argument");
-      for (const Json& one : *args) argument(said, one);
+      for (const Json& one : *args) argument(answered, one);
     } else if (args->is_object() && field(*args, {"bbox", "point"}) == nullptr) {
-      named_arguments(said, *args);
+      named_arguments(answered, *args);
     } else {
-      argument(said, *args);
+      argument(answered, *args);
     }
-    return said;
+    return answered;
   }
 
   static const Json* field(const Json& json, std::initializer_list<const char*> names) {
@@ -103,38 +103,38 @@ class AnswerReader {
            std::all_of(json.begin(), json.end(), [](const Json& one) { return one.is_number(); });
   }
 
-  void argument(AnsweredAction& said, const Json& json) {
-    if (json.is_string()) return id(said, json);
-    if (is_numbers(json, 4)) return box(said, json);
-    if (is_numbers(json, 2)) return point(said, json);
-    if (const Json* numbers = field(json, {"bbox"})) return box(said, *numbers);
-    if (const Json* numbers = field(json, {"point"})) return point(said, *numbers);
+  void argument(AnsweredAction& answered, const Json& json) {
+    if (json.is_string()) return id(answered, json);
+    if (is_numbers(json, 4)) return box(answered, json);
+    if (is_numbers(json, 2)) return point(answered, json);
+    if (const Json* numbers = field(json, {"bbox"})) return box(answered, *numbers);
+    if (const Json* numbers = field(json, {"point"})) return point(answered, *numbers);
     expect("expected an id, {\"bbox\": [four numbers]} or {\"point\": [two numbers]} as argument");
   }
 
   /// {"object_id": …} and the like, of which one has a value.
-  void named_arguments(AnsweredAction& said, const Json& json) {
+  void named_arguments(AnsweredAction& answered, const Json& json) {
     int given = 0;
     for (const auto& [name, value] : json.items()) {
       if (value.is_null()) continue;
       if (++given > 1) return expect("expected at most one argument");
       if (name == "object_id" || name == "room_id" || name == "tool_id") {
-        id(said, value);
+        id(answered, value);
       } else if (name == "pixel") {
-        point(said, value);
+        point(answered, value);
       } else if (name == "object_bbox") {
         const Json* numbers = field(value, {"bbox"});
-        box(said, numbers == nullptr ? value : *numbers);
+        box(answered, numbers == nullptr ? value : *numbers);
       } else {
         expect("expected object_id, room_id, tool_id, pixel or object_bbox in \"args\"");
       }
     }
   }
 
-  void id(AnsweredAction& said, const Json& json) {
+  void id(AnsweredAction& answered, const Json& json) {
     if (!json.is_string() || !is_label(json.get_ref<const std::string&>()))
       return expect("expected an id of 1 to " + std::to_string(limits::kLabelBytes) + " bytes");
-    said.command.args.push_back({json.get<std::string>(), std::nullopt});
+    answered.command.args.push_back({json.get<std::string>(), std::nullopt});
   }
 
   /// In pixels; NaN and what no picture has become a place outside of it.
@@ -149,18 +149,18 @@ class AnswerReader {
   }
   bool y_first() const { return frame_.form == BoxForm::ThousandYFirst; }
 
-  void box(AnsweredAction& said, const Json& json) {
+  void box(AnsweredAction& answered, const Json& json) {
     if (!is_numbers(json, 4)) return expect("expected four numbers in \"bbox\"");
     const std::size_t x = y_first() ? 1 : 0, y = y_first() ? 0 : 1;
     const PixelBox box{pixel(json[x], frame_.width), pixel(json[y], frame_.height), pixel(json[x + 2], frame_.width),
                        pixel(json[y + 2], frame_.height)};
-    said.command.args.push_back({"", box});
+    answered.command.args.push_back({"", box});
   }
 
-  void point(AnsweredAction& said, const Json& json) {
+  void point(AnsweredAction& answered, const Json& json) {
     if (!is_numbers(json, 2)) return expect("expected two numbers in \"point\"");
     const std::size_t x = y_first() ? 1 : 0;
-    said.point = {pixel(json[x], frame_.width), pixel(json[1 - x], frame_.height)};
+    answered.point = {pixel(json[x], frame_.width), pixel(json[1 - x], frame_.height)};
   }
 
   const AnswerFrame& frame_;
@@ -234,16 +234,16 @@ std::optional<Answer> called(std::string_view text) {
     return std::nullopt;
   const auto type = action_named(action_name(name));
   if (!type) return std::nullopt;
-  AnsweredAction said{{std::string(info(*type).name), {}}, {}};
+  AnsweredAction answered{{std::string(info(*type).name), {}}, {}};
   if (open != std::string_view::npos) {
     if (text.back() != ')') return std::nullopt;
     const std::string_view inside = trim(text.substr(open + 1, text.size() - open - 2));
     if (!inside.empty()) {
       if (!is_label(inside)) return std::nullopt;
-      said.command.args.push_back({std::string(inside), std::nullopt});
+      answered.command.args.push_back({std::string(inside), std::nullopt});
     }
   }
-  return Answer{{std::move(said)}, ""};
+  return Answer{{std::move(answered)}, ""};
 }
 
 /// pick_up([10, 20, 30, 40]): the box as JSON.

@@ -98,16 +98,16 @@ void Environment::restore(const Snapshot& snapshot) { state_ = snapshot.state_->
 
 PrivilegedState Environment::privileged() const {
   const EpisodeState& state = *state_;
-  PrivilegedState told;
-  told.success = state.monitor.satisfied();
-  told.hopeless = state.monitor.hopeless();
-  told.progress = state.monitor.progress();
-  told.missing = state.monitor.missing();
-  told.goal = state.task->text.goal_text;
-  told.steps = state.episode.steps();
-  told.failures = state.episode.failures();
-  told.ended_by = name_of(state.end());
-  return told;
+  PrivilegedState privileged;
+  privileged.success = state.monitor.satisfied();
+  privileged.hopeless = state.monitor.hopeless();
+  privileged.progress = state.monitor.progress();
+  privileged.missing = state.monitor.missing();
+  privileged.goal = state.task->text.goal_text;
+  privileged.steps = state.episode.steps();
+  privileged.failures = state.episode.failures();
+  privileged.ended_by = name_of(state.end());
+  return privileged;
 }
 
 double Environment::progress() const { return state_->monitor.progress(); }

@@ -68,13 +68,13 @@ void EpisodeState::read(const Delta& changes) {
 void EpisodeState::observe(std::vector<ActionReport> results) {
   const StepLimits& limits = settings.rules.limits;
   Observation& o = observation;
-  if (settings.rules.boxes) o.boxes = seen_objects(episode);
+  if (settings.rules.boxes) o.boxes = visible_objects(episode);
   if (!results.empty()) o.last = results.back();
   o.results = std::move(results);
   o.step = episode.steps();
   o.steps_left = limits.steps - episode.steps();
   if (settings.feedback != Feedback::None) {
-    o.held = held_things(episode.world(), settings.rules);
+    o.held = held_objects(episode.world(), settings.rules);
     o.failures_left = limits.failures - episode.failures();
   }
   o.has_picture = settings.rules.picture;

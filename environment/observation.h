@@ -12,31 +12,31 @@
 namespace unietp {
 
 /// An object or a room that an agent is told of.
-struct NamedThing {
+struct NamedEntity {
   std::string id, category;  // of a room: its type
-  bool operator==(const NamedThing&) const = default;
+  bool operator==(const NamedEntity&) const = default;
 };
 
 /// Things of one room.
 struct RoomContents {
-  NamedThing room;  // empty id: in no room
-  std::vector<NamedThing> furniture, movables;
+  NamedEntity room;  // empty id: in no room
+  std::vector<NamedEntity> furniture, movables;
   bool operator==(const RoomContents&) const = default;
 };
 
 /// What an agent is told of the home at the start, in the order of scene/telling_order.h; as lists, or by room on
 /// request. The same throughout an episode.
 struct HomeInformation {
-  std::vector<NamedThing> rooms, furniture, movables;
+  std::vector<NamedEntity> rooms, furniture, movables;
   std::vector<RoomContents> by_room;  // GlobalForm::ByRoom only
   bool operator==(const HomeInformation&) const = default;
 };
 
 /// An object in view.
-struct SeenObject {
+struct ObservedObject {
   std::string id, category;
   PixelBox box{};  // pixels of the picture, both ends included
-  bool operator==(const SeenObject&) const = default;
+  bool operator==(const ObservedObject&) const = default;
 };
 
 /// One executed action as the agent is told of it.
@@ -49,21 +49,21 @@ struct ActionReport {
 };
 
 /// Something in the hand.
-struct HeldThing {
+struct HeldObject {
   std::string id;  // "" where objects have no ids (M3)
   std::string category;
-  bool operator==(const HeldThing&) const = default;
+  bool operator==(const HeldObject&) const = default;
 };
 
 /// What an agent may know: the public side of an environment, which depends on the settings, the task and the actions
 /// alone. Equal tasks, settings and actions give equal observations, bit for bit.
 struct Observation {
   std::string instruction;
-  std::optional<std::vector<SeenObject>> boxes;  // sorted by id; nullopt: the settings do not tell them
-  std::shared_ptr<const HomeInformation> home;   // never null
-  std::optional<ActionReport> last;              // the last action; nullopt at the start
-  std::vector<ActionReport> results;             // every action since the observation before this one, `last` included
-  std::optional<std::vector<HeldThing>> held;    // nullopt: hidden (Feedback::None)
+  std::optional<std::vector<ObservedObject>> boxes;  // sorted by id; nullopt: the settings do not tell them
+  std::shared_ptr<const HomeInformation> home;       // never null
+  std::optional<ActionReport> last;                  // the last action; nullopt at the start
+  std::vector<ActionReport> results;            // every action since the observation before this one, `last` included
+  std::optional<std::vector<HeldObject>> held;  // nullopt: hidden (Feedback::None)
   int step = 0, steps_left = 0;
   std::optional<int> failures_left;       // nullopt: hidden (Feedback::None)
   bool has_picture = false;               // the settings show it; Environment::picture makes it

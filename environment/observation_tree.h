@@ -55,14 +55,14 @@ class ObservationTree {
     return list;
   }
 
-  Value value_of(const NamedThing& thing) const {
+  Value value_of(const NamedEntity& thing) const {
     Value value = Maker::object();
     Maker::set(value, "id", Maker::text(thing.id));
     Maker::set(value, "category", Maker::text(thing.category));
     return value;
   }
 
-  Value value_of(const HeldThing& thing) const {
+  Value value_of(const HeldObject& thing) const {
     Value value = Maker::object();
     if (!thing.id.empty()) Maker::set(value, "id", Maker::text(thing.id));
     Maker::set(value, "category", Maker::text(thing.category));
@@ -88,7 +88,7 @@ class ObservationTree {
     return value;
   }
 
-  Value value_of(const SeenObject& object) const {
+  Value value_of(const ObservedObject& object) const {
     Value box = Maker::list();
     if (settings_.box_form == BoxForm::Pixels) {
       for (const int pixel : object.box) Maker::append(box, Maker::number(pixel));

@@ -38,7 +38,7 @@ std::string picture_text(const Environment& environment) {
   const bool by_id = seen.boxes.has_value();
   std::map<std::string, PixelBox> boxes;
   if (by_id) {
-    for (const SeenObject& object : *seen.boxes) boxes.emplace(object.id, object.box);
+    for (const ObservedObject& object : *seen.boxes) boxes.emplace(object.id, object.box);
   } else {
     for (const VisibleObject& object : environment.pictured()) boxes.emplace(object.id, object.box);
   }
@@ -57,8 +57,8 @@ std::string picture_text(const Environment& environment) {
   }
   std::vector<std::string> things;
   for (const auto& [id, node] : nodes) {
-    const auto& told = facts[id];
-    if (by_id && told.empty()) continue;
+    const auto& states = facts[id];
+    if (by_id && states.empty()) continue;
     std::string text = name(*node);
     if (!by_id) {
       const nlohmann::json numbers = box_in_form(boxes[id], settings.box_form, seen.image_width, seen.image_height);
@@ -67,7 +67,7 @@ std::string picture_text(const Environment& environment) {
                                                     : nlohmann::json(std::vector<int>(numbers.begin(), numbers.end())))
                     .dump();
     }
-    things.push_back(told.empty() ? text : text + (by_id ? " is " : ", ") + join(told, ", "));
+    things.push_back(states.empty() ? text : text + (by_id ? " is " : ", ") + join(states, ", "));
   }
   if (things.empty()) return by_id ? "" : "The camera shows nothing.";
   return "The camera shows: " + join(things, "; ") + ".";

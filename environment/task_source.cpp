@@ -23,9 +23,9 @@ namespace {
 
 /// The last few values that were made, by key. Thread-safe.
 template <class Key, class Value>
-class LastFew {
+class RecentValues {
  public:
-  explicit LastFew(std::size_t most) : most_(most) {}
+  explicit RecentValues(std::size_t most) : most_(most) {}
 
   std::optional<Value> find(const Key& key) const {
     const std::scoped_lock lock(mutex_);
@@ -72,8 +72,8 @@ struct TaskSource::Impl {
   HomeCache homes;
   std::vector<TaskListing> listing;
   std::unordered_map<std::string, std::size_t> by_id;  // never iterated
-  LastFew<std::string, std::shared_ptr<const Home>> prepared;
-  LastFew<std::size_t, SharedTask> ready;
+  RecentValues<std::string, std::shared_ptr<const Home>> prepared;
+  RecentValues<std::size_t, SharedTask> ready;
 };
 
 Result<TaskRecord> TaskSource::Impl::record(std::size_t position) const {

@@ -110,10 +110,10 @@ std::string release_actions_slot(const PromptContext& context) {
   }
   return text;
 }
-std::string ids_of(std::initializer_list<const std::vector<NamedThing>*> lists) {
+std::string ids_of(std::initializer_list<const std::vector<NamedEntity>*> lists) {
   Json ids = Json::array();
   for (const auto* list : lists) {
-    for (const NamedThing& thing : *list) ids.push_back(thing.id);
+    for (const NamedEntity& thing : *list) ids.push_back(thing.id);
   }
   return ids.dump();
 }
@@ -125,7 +125,7 @@ std::string release_view_slot(const PromptContext& context) {
   const Observation& now = seen(context);
   if (!now.boxes) return "see the picture";
   Json list = Json::array();
-  for (const SeenObject& object : *now.boxes)
+  for (const ObservedObject& object : *now.boxes)
     list.push_back(
         {{"object_id", object.id},
          {"bbox_xyxy", box_in_form(object.box, settings(context).box_form, now.image_width, now.image_height)}});

@@ -42,15 +42,15 @@ Json random_argument(const Environment& environment, const ActionInfo& action, R
   const Observation& seen = environment.observe();
   std::vector<std::string> ids;
   if (action.argument == ActionArgument::ObjectOrRoom) {
-    for (const NamedThing& room : seen.home->rooms) ids.push_back(room.id);
+    for (const NamedEntity& room : seen.home->rooms) ids.push_back(room.id);
   }
   const bool by_box = naming_of(action, environment.settings().rules) == Naming::Box;
   if (by_box && (ids.empty() || rng.chance(0.5))) return random_box(environment, rng);
   if (!by_box) {
     for (const auto* list : {&seen.home->furniture, &seen.home->movables}) {
-      for (const NamedThing& thing : *list) ids.push_back(thing.id);
+      for (const NamedEntity& thing : *list) ids.push_back(thing.id);
     }
-    for (const SeenObject& object : seen.boxes.value_or(std::vector<SeenObject>())) ids.push_back(object.id);
+    for (const ObservedObject& object : seen.boxes.value_or(std::vector<ObservedObject>())) ids.push_back(object.id);
   }
   return ids.empty() ? Json("nothing") : Json(rng.pick(ids));
 }

@@ -31,9 +31,11 @@ bool SceneEditor::set_state(const std::string& id, Predicate predicate, const st
   Node node = workspace_.scene().nodes[*index];
   const Knowledge& knowledge = workspace_.knowledge();
   const Category* category = knowledge.find(node.category);
-  const std::string said =
+  const std::string state_text =
       std::string(truth ? "" : "not ") + std::string(info(predicate).name) + (symbol.empty() ? "" : " " + symbol);
-  const auto impossible = [&] { return fail(RejectionReason::StateNotPossible, node.category + " cannot be " + said); };
+  const auto impossible = [&] {
+    return fail(RejectionReason::StateNotPossible, node.category + " cannot be " + state_text);
+  };
   if (predicate == Predicate::Size) return resize(id, symbol, truth);
   if (predicate == Predicate::Colour || predicate == Predicate::Material) {
     std::string& field = predicate == Predicate::Colour ? node.colour : node.material;
@@ -51,7 +53,7 @@ bool SceneEditor::set_state(const std::string& id, Predicate predicate, const st
   } else {
     const StateGroup* group = group_with(predicate);
     if (group == nullptr) {
-      return fail(RejectionReason::CannotEnforce, "no edit of a scene makes a thing " + said);
+      return fail(RejectionReason::CannotEnforce, "no edit of a scene makes a thing " + state_text);
     }
     if (!knowledge.has(node.category, group->affordance)) return impossible();
     Predicate value = predicate;

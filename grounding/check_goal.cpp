@@ -23,10 +23,10 @@ bool brings_about(const TreatmentInfo& treatment, Predicate state) {
   return std::find(treatment.states.begin(), treatment.states.end(), state) != treatment.states.end();
 }
 
-class Possible {
+class GoalFeasibility {
  public:
-  Possible(const Scene& start, const NodeIndex& places, const Trace& trace, const Knowledge& knowledge,
-           const Profile& profile, Reach& reach, bool pictured)
+  GoalFeasibility(const Scene& start, const NodeIndex& places, const Trace& trace, const Knowledge& knowledge,
+                  const Profile& profile, Reach& reach, bool pictured)
       : start_(start),
         places_(places),
         trace_(trace),
@@ -283,7 +283,7 @@ class Possible {
 std::optional<GroundingFailure> check_goal(const Specification& specification, const Scene& start,
                                            const NodeIndex& places, const Trace& trace, const Knowledge& knowledge,
                                            const Profile& profile, Reach& reach, bool pictured) {
-  Possible possible(start, places, trace, knowledge, profile, reach, pictured);
+  GoalFeasibility possible(start, places, trace, knowledge, profile, reach, pictured);
   if (possible.read(specification.goal)) return std::nullopt;
   if (!possible.unseen().empty())
     return GroundingFailure{RejectionReason::NotSeen, possible.unseen() + " shows clearly from nowhere", {}};

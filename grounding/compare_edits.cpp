@@ -46,7 +46,7 @@ bool SceneEditor::give_box(const std::string& id, const Vec3& size, const std::s
   }
   if (!clear_off(id)) return false;
   refresh();
-  for (const Edge& edge : workspace_.present().edges_from(id)) {
+  for (const Edge& edge : workspace_.current_state().edges_from(id)) {
     const bool holds = edge.relation == Predicate::On || edge.relation == Predicate::Inside;
     if (!holds || !index_of(edge.to)) continue;
     Node after = before;
@@ -148,7 +148,7 @@ bool SceneEditor::place_near(const std::string& id, const std::string& other) {
     area.high.head<2>().array() += gap;
     return area;
   };
-  for (const Edge& edge : workspace_.present().edges_from(other)) {
+  for (const Edge& edge : workspace_.current_state().edges_from(other)) {
     if (edge.relation != Predicate::On && edge.relation != Predicate::Inside) continue;
     const auto host = index_of(edge.to);
     if (!host) continue;

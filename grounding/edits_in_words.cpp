@@ -8,7 +8,7 @@
 namespace unietp {
 namespace {
 
-std::string said(const State& state) {
+std::string text_of(const State& state) {
   return std::string(info(state.predicate).name) + (state.symbol.empty() ? "" : " " + state.symbol);
 }
 
@@ -16,7 +16,7 @@ std::string said(const State& state) {
 std::vector<std::string> states_besides(const StateSet& states, const StateSet& others) {
   std::vector<std::string> more;
   for (const State& state : states.all()) {
-    if (!others.has(state)) more.push_back(said(state));
+    if (!others.has(state)) more.push_back(text_of(state));
   }
   return more;
 }
@@ -44,14 +44,14 @@ std::string where(const std::optional<Edge>& support) {
   return std::string(info(support->relation).name) + " " + support->to;
 }
 
-class Words {
+class EditDescriber {
  public:
-  Words(const Home& home, const Scene& start, const Delta& changes, const Knowledge& knowledge)
+  EditDescriber(const Home& home, const Scene& start, const Delta& changes, const Knowledge& knowledge)
       : home_(home), start_(start), changes_(changes), knowledge_(knowledge) {}
 
   std::vector<std::string> all() {
-    for (const std::string& id : changes_.removed) said_.push_back("removed " + id);
-    std::sort(said_.begin(), said_.end());
+    for (const std::string& id : changes_.removed) lines_.push_back("removed " + id);
+    std::sort(lines_.begin(), lines_.end());
     for (const Node& node : changes_.nodes) {
       if (!before(node.id)) add(node);
     }
@@ -63,9 +63,9 @@ class Words {
     }
     if (changes_.agent) {
       const Room* room = room_at(start_, start_.agent.position);
-      said_.push_back("the agent starts in " + (room == nullptr ? "another place" : room->id));
+      lines_.push_back("the agent starts in " + (room == nullptr ? "another place" : room->id));
     }
-    return std::move(said_);
+    return std::move(lines_);
   }
 
  private:
@@ -80,7 +80,7 @@ class Words {
     set_default_states(plain, knowledge_);
     std::string text = "added " + node.category + " " + node.id + " " + where(support_of(node.id, start_.edges));
     for (const std::string& state : states_besides(node.states, plain.states)) text += ", " + state;
-    said_.push_back(std::move(text));
+    lines_.push_back(std::move(text));
   }
 
   void move(const Node& was, const Node& now) {
@@ -89,7 +89,7 @@ class Words {
     const bool stays = support == support_of(now.id, home_.scene.edges);
     // A larger box stands a little higher; what lies in a drawer moves with it.
     if (stays && (was.size != now.size || (support && has_moved_its_door(support->to)))) return;
-    said_.push_back("moved " + now.id + " " + where(support));
+    lines_.push_back("moved " + now.id + " " + where(support));
   }
 
   bool has_moved_its_door(const std::string& id) const {
@@ -101,26 +101,26 @@ class Words {
 
   void make(const Node& was, const Node& now) {
     const std::string made = "made " + now.id + " ";
-    for (const std::string& state : states_besides(now.states, was.states)) said_.push_back(made + state);
+    for (const std::string& state : states_besides(now.states, was.states)) lines_.push_back(made + state);
     if (was.states.has(Predicate::Covered) && !now.states.has(Predicate::Covered))
-      said_.push_back(made + "not covered");
-    if (was.colour != now.colour) said_.push_back(made + now.colour);
-    if (was.material != now.material) said_.push_back(made + "of " + now.material);
-    if (was.size != now.size) said_.push_back(made + (now.size.prod() > was.size.prod() ? "larger" : "smaller"));
+      lines_.push_back(made + "not covered");
+    if (was.colour != now.colour) lines_.push_back(made + now.colour);
+    if (was.material != now.material) lines_.push_back(made + "of " + now.material);
+    if (was.size != now.size) lines_.push_back(made + (now.size.prod() > was.size.prod() ? "larger" : "smaller"));
   }
 
   const Home& home_;
   const Scene& start_;
   const Delta& changes_;
   const Knowledge& knowledge_;
-  std::vector<std::string> said_;
+  std::vector<std::string> lines_;
 };
 
 }  // namespace
 
 std::vector<std::string> edits_in_words(const Home& home, const Scene& start, const Delta& changes,
                                         const Knowledge& knowledge) {
-  return Words(home, start, changes, knowledge).all();
+  return EditDescriber(home, start, changes, knowledge).all();
 }
 
 }  // namespace unietp

@@ -27,12 +27,12 @@ Enforcer::Enforcer(SceneEditor& editor, Compared compared, Rng rng)
 const Trace& Enforcer::now() {
   editor_.refresh();
   const Workspace& workspace = editor_.workspace();
-  const Trace& plain = workspace.present().now();
+  const Trace& plain = workspace.current_state().now();
   if (compared_.none()) return plain;
   if (read_ != workspace.reading()) {
     trace_.entities.follow(plain.entities);
     trace_.states = {
-        with_comparisons(plain.states.front(), workspace.scene(), workspace.present().reader(), compared_)};
+        with_comparisons(plain.states.front(), workspace.scene(), workspace.current_state().reader(), compared_)};
   }
   read_ = workspace.reading();
   return trace_;
@@ -43,7 +43,7 @@ bool Enforcer::holds(const Formula& formula) { return holds(formula, {}); }
 Assignment Enforcer::assignment(const Trace& trace, const Names& names) const {
   Assignment assignment;
   for (const auto& [variable, id] : names) {
-    const auto entity = editor_.workspace().present().reader().find(id);
+    const auto entity = editor_.workspace().current_state().reader().find(id);
     if (entity && trace.states.front().exists(*entity)) assignment.emplace_back(variable, *entity);
   }
   return assignment;

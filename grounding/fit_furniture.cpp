@@ -9,8 +9,8 @@
 #include "akb/tables.h"
 #include "core/files.h"
 #include "core/text.h"
+#include "grounding/furniture_position.h"
 #include "grounding/layout_fit.h"
-#include "grounding/where.h"
 
 namespace unietp {
 namespace {
@@ -33,14 +33,14 @@ struct Curated {
 };
 
 /// How often a category was seen in the rooms of a type.
-struct Seen {
+struct Frequency {
   double mean = 0;
   double share = 0;  // of the rooms that have it
   int most = 0;      // in one room
 };
 
-Seen seen_in(const FitInput& own, const std::string& room, const std::string& category) {
-  Seen seen;
+Frequency frequency_in(const FitInput& own, const std::string& room, const std::string& category) {
+  Frequency seen;
   int rooms = 0, total = 0, with = 0;
   for (const HomeCensus& home : own.homes.homes) {
     for (const CensusRoom& one : home.rooms) {
@@ -79,7 +79,7 @@ Result<std::vector<Curated>> read_curated(const FitInput& own, const std::filesy
     one.room = reader.one_of("room", rooms, "room type");
     one.category = reader.one_of("category", furniture, "piece of furniture");
     one.where = reader.required("where");
-    if (!one.where.empty() && !parse_where(one.where)) reader.fail("where", "not a place for furniture");
+    if (!one.where.empty() && !parse_furniture_position(one.where)) reader.fail("where", "not a place for furniture");
     if (!reader.text("share").empty()) one.share = reader.number("share", 0, 1, false);
     if (!reader.text("mean").empty()) one.mean = reader.number("mean", 0, 20, false);
     if (!reader.text("at_least").empty()) one.at_least = reader.integer("at_least", 0);
@@ -110,7 +110,7 @@ Result<std::string> fit_furniture(const FitInput& own, const std::filesystem::pa
     std::set<std::string> listed, obligatory;
     for (const Curated& row : *rows) {
       if (row.room != room && (row.room != "any" || special.contains(row.category))) continue;
-      const std::string host = parse_where(row.where)->host;
+      const std::string host = parse_furniture_position(row.where)->host;
       if (!host.empty() && !listed.contains(host)) continue;
       double mean = 0;
       int at_least = row.at_least, at_most = row.at_most;
@@ -118,7 +118,7 @@ Result<std::string> fit_furniture(const FitInput& own, const std::filesystem::pa
       if (row.mean) {
         mean = *row.mean;
       } else {
-        const Seen seen = seen_in(own, room, row.category);
+        const Frequency seen = frequency_in(own, room, row.category);
         mean = seen.mean * row.share;
         if (mean < kRare) continue;
         at_most = std::min(at_most, std::max(1, static_cast<int>(std::ceil(seen.most * row.share))));

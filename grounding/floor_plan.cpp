@@ -50,11 +50,11 @@ void cut(const Rect& rect, std::vector<std::size_t> order, const std::vector<dou
 }
 
 /// A rectangle cut in two again and again; every other time one corner of it stays out of doors.
-std::optional<std::vector<Rect>> cut_plan(const std::vector<RoomWish>& wishes, Rng& rng) {
+std::optional<std::vector<Rect>> cut_plan(const std::vector<RoomRequest>& requests, Rng& rng) {
   std::vector<double> areas;
-  for (const RoomWish& wish : wishes) areas.push_back(wish.area_m2);
+  for (const RoomRequest& request : requests) areas.push_back(request.area_m2);
   double total = std::accumulate(areas.begin(), areas.end(), 0.0);
-  const bool notched = wishes.size() > 2 && rng.chance(0.5);
+  const bool notched = requests.size() > 2 && rng.chance(0.5);
   if (notched) areas.push_back(total * rng.uniform(0.07, 0.16));
   total = std::accumulate(areas.begin(), areas.end(), 0.0);
   const double width = round_to_dm(std::sqrt(total * rng.uniform(1.0, 1.6)));
@@ -76,32 +76,32 @@ std::optional<std::vector<Rect>> cut_plan(const std::vector<RoomWish>& wishes, R
 }
 
 /// One row of rooms from x = 0 on; its depth follows from its length.
-void lay_row(const std::vector<std::size_t>& row, const std::vector<RoomWish>& wishes, double length, double low,
+void lay_row(const std::vector<std::size_t>& row, const std::vector<RoomRequest>& requests, double length, double low,
              bool upwards, std::vector<Rect>& places) {
   double area = 0, done = 0;
-  for (const std::size_t i : row) area += wishes[i].area_m2;
+  for (const std::size_t i : row) area += requests[i].area_m2;
   const double depth = round_to_dm(area / length);
   double from = 0;
   for (const std::size_t i : row) {
-    done += wishes[i].area_m2;
+    done += requests[i].area_m2;
     const double to = round_to_dm(length * done / area);
     places[i] = upwards ? Rect{{from, low}, {to, low + depth}} : Rect{{from, low - depth}, {to, low}};
     from = to;
   }
 }
 
-/// Two rows of rooms along a corridor; nullopt without a corridor among the wishes.
-std::optional<std::vector<Rect>> corridor_plan(const std::vector<RoomWish>& wishes, Rng& rng) {
+/// Two rows of rooms along a corridor; nullopt without a corridor among the requests.
+std::optional<std::vector<Rect>> corridor_plan(const std::vector<RoomRequest>& requests, Rng& rng) {
   std::vector<std::size_t> order;
   std::optional<std::size_t> spine;
   double area = 0;
-  for (std::size_t i = 0; i < wishes.size(); ++i) {
-    if (!spine && wishes[i].passage == 0) {
+  for (std::size_t i = 0; i < requests.size(); ++i) {
+    if (!spine && requests[i].passage == 0) {
       spine = i;
       continue;
     }
     order.push_back(i);
-    area += wishes[i].area_m2;
+    area += requests[i].area_m2;
   }
   if (!spine || order.size() < 4) return std::nullopt;
   rng.shuffle(order);
@@ -110,21 +110,21 @@ std::optional<std::vector<Rect>> corridor_plan(const std::vector<RoomWish>& wish
   for (const std::size_t i : order) {
     const int row = sums[0] <= sums[1] ? 0 : 1;
     rows[row].push_back(i);
-    sums[row] += wishes[i].area_m2;
+    sums[row] += requests[i].area_m2;
   }
   const double length = round_to_dm(std::sqrt(area * rng.uniform(1.3, 2.4)));
   const double other = rng.chance(0.5) ? length : round_to_dm(length * rng.uniform(0.75, 0.95));
-  const double width = round_to_dm(std::clamp(wishes[*spine].area_m2 / length, kCorridorSide_m, 2.1));
-  std::vector<Rect> places(wishes.size());
+  const double width = round_to_dm(std::clamp(requests[*spine].area_m2 / length, kCorridorSide_m, 2.1));
+  std::vector<Rect> places(requests.size());
   places[*spine] = {{0, 0}, {length, width}};
-  lay_row(rows[0], wishes, length, width, true, places);
-  lay_row(rows[1], wishes, other, 0, false, places);
+  lay_row(rows[0], requests, length, width, true, places);
+  lay_row(rows[1], requests, other, 0, false, places);
   return places;
 }
 
-bool well_formed(const std::vector<Rect>& places, const std::vector<RoomWish>& wishes) {
+bool well_formed(const std::vector<Rect>& places, const std::vector<RoomRequest>& requests) {
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const bool corridor = wishes[i].passage == 0;
+    const bool corridor = requests[i].passage == 0;
     const double shorter = places[i].size().minCoeff(), longer = places[i].size().maxCoeff();
     if (shorter < (corridor ? kCorridorSide_m : kShortestSide_m)) return false;
     if (longer > (corridor ? kCorridorAspect : kLongestAspect) * shorter) return false;
@@ -164,15 +164,16 @@ Vec2 point_on(const SharedWall& wall, double along) {
 }
 
 /// A spanning tree over the shared walls, plus some more; empty when the rooms do not hang together.
-std::vector<SharedWall> choose_openings(std::vector<SharedWall> walls, const std::vector<RoomWish>& wishes, Rng& rng) {
+std::vector<SharedWall> choose_openings(std::vector<SharedWall> walls, const std::vector<RoomRequest>& requests,
+                                        Rng& rng) {
   rng.shuffle(walls);
   const auto cost = [&](const SharedWall& wall) {
-    const int a = wishes[wall.a].passage, b = wishes[wall.b].passage;
+    const int a = requests[wall.a].passage, b = requests[wall.b].passage;
     return 10 * std::min(a, b) + std::max(a, b);
   };
   std::stable_sort(walls.begin(), walls.end(),
                    [&](const SharedWall& x, const SharedWall& y) { return cost(x) < cost(y); });
-  std::vector<std::size_t> group(wishes.size());
+  std::vector<std::size_t> group(requests.size());
   std::iota(group.begin(), group.end(), 0);
   std::vector<SharedWall> chosen;
   for (const SharedWall& wall : walls) {
@@ -180,7 +181,7 @@ std::vector<SharedWall> choose_openings(std::vector<SharedWall> walls, const std
       const std::size_t gone = group[wall.b];
       std::replace(group.begin(), group.end(), gone, group[wall.a]);
       chosen.push_back(wall);
-    } else if (std::max(wishes[wall.a].passage, wishes[wall.b].passage) <= kPassedThrough &&
+    } else if (std::max(requests[wall.a].passage, requests[wall.b].passage) <= kPassedThrough &&
                rng.chance(kMoreOpenings)) {
       chosen.push_back(wall);
     }
@@ -190,33 +191,33 @@ std::vector<SharedWall> choose_openings(std::vector<SharedWall> walls, const std
 }
 
 /// Whether a room that nobody walks through has two openings.
-bool leads_through_a_dead_end(const std::vector<SharedWall>& openings, const std::vector<RoomWish>& wishes) {
-  for (std::size_t room = 0; room < wishes.size(); ++room) {
+bool leads_through_a_dead_end(const std::vector<SharedWall>& openings, const std::vector<RoomRequest>& requests) {
+  for (std::size_t room = 0; room < requests.size(); ++room) {
     const auto doors = std::count_if(openings.begin(), openings.end(),
                                      [&](const SharedWall& wall) { return wall.a == room || wall.b == room; });
-    if (wishes[room].passage == kNoPassage && doors > 1) return true;
+    if (requests[room].passage == kNoPassage && doors > 1) return true;
   }
   return false;
 }
 
 }  // namespace
 
-std::optional<FloorPlan> draw_floor_plan(const std::vector<RoomWish>& wishes, Rng rng) {
+std::optional<FloorPlan> draw_floor_plan(const std::vector<RoomRequest>& requests, Rng rng) {
   std::optional<std::vector<Rect>> rects;
-  if (rng.chance(0.65)) rects = corridor_plan(wishes, rng);
-  if (!rects) rects = cut_plan(wishes, rng);
-  if (!rects || !well_formed(*rects, wishes)) return std::nullopt;
-  const auto chosen = choose_openings(shared_walls(*rects), wishes, rng);
-  if (chosen.empty() && wishes.size() > 1) return std::nullopt;
-  if (leads_through_a_dead_end(chosen, wishes)) return std::nullopt;
+  if (rng.chance(0.65)) rects = corridor_plan(requests, rng);
+  if (!rects) rects = cut_plan(requests, rng);
+  if (!rects || !well_formed(*rects, requests)) return std::nullopt;
+  const auto chosen = choose_openings(shared_walls(*rects), requests, rng);
+  if (chosen.empty() && requests.size() > 1) return std::nullopt;
+  if (leads_through_a_dead_end(chosen, requests)) return std::nullopt;
   Vec2 corner = rects->front().low;
   for (const Rect& rect : *rects) corner = corner.cwiseMin(rect.low);
 
   FloorPlan plan;
   std::map<std::string, int> numbers;
-  for (std::size_t i = 0; i < wishes.size(); ++i) {
+  for (std::size_t i = 0; i < requests.size(); ++i) {
     const Vec2 low = (*rects)[i].low - corner, high = (*rects)[i].high - corner;
-    const std::string& type = wishes[i].type;
+    const std::string& type = requests[i].type;
     plan.rooms.push_back(
         {type + "_" + std::to_string(++numbers[type]), type, {low, {high.x(), low.y()}, high, {low.x(), high.y()}}});
   }

@@ -126,8 +126,8 @@ std::vector<std::size_t> row_mates(const Workspace& workspace, std::size_t room)
 }
 
 /// The pieces in the room that it may stand by.
-std::vector<std::size_t> company_in(const Workspace& workspace, std::size_t room, const Where& where) {
-  using enum Where::Kind;
+std::vector<std::size_t> company_in(const Workspace& workspace, std::size_t room, const FurniturePosition& where) {
+  using enum FurniturePosition::Kind;
   if (where.kind == Wall) return row_mates(workspace, room);
   const bool alone = where.kind == Corner || where.kind == WallHung || where.kind == OuterWall ||
                      where.kind == Ceiling || where.kind == Centre;
@@ -135,25 +135,25 @@ std::vector<std::size_t> company_in(const Workspace& workspace, std::size_t room
 }
 
 std::optional<Candidate> draw_at_host(const Workspace& workspace, const std::vector<std::size_t>& hosts,
-                                      const Node& node, const Where& where, Rng& rng) {
+                                      const Node& node, const FurniturePosition& where, Rng& rng) {
   if (hosts.empty()) return std::nullopt;
   const std::size_t index = rng.pick(hosts);
   const Node& host = workspace.scene().nodes[index];
   const Vec3 half = host.size / 2, own = node.size / 2;
   const double on_floor = own.z() - host.pose.position.z();
-  if (where.kind == Where::Kind::On) {
+  if (where.kind == FurniturePosition::Kind::On) {
     const auto spot = draw_on_top(host, node, rng);
     if (!spot) return std::nullopt;
     return Candidate{host.pose * Pose{*spot, Quat::Identity()}, index};
   }
-  if (where.kind == Where::Kind::Above) {
+  if (where.kind == FurniturePosition::Kind::Above) {
     const double most = std::max(0.0, half.x() - own.x());
     const Vec3 spot(rng.uniform(-0.3, 0.3) * most, half.y() - own.y(),
                     half.z() + where.height_m.value_or(0.02) + own.z());
     return Candidate{host.pose * Pose{spot, Quat::Identity()}, index};
   }
-  if (where.kind == Where::Kind::Beside) return Candidate{beside(host, node, rng), index};
-  if (where.kind == Where::Kind::Before) {
+  if (where.kind == FurniturePosition::Kind::Beside) return Candidate{beside(host, node, rng), index};
+  if (where.kind == FurniturePosition::Kind::Before) {
     const double aside = rng.uniform(-0.5, 0.5) * std::max(0.0, half.x() - own.x());
     const Vec3 spot(aside, -half.y() - own.y() - rng.uniform(0.35, 0.5), on_floor);
     return Candidate{host.pose * Pose{spot, Quat::Identity()}, index};
@@ -170,7 +170,8 @@ std::optional<Candidate> draw_at_host(const Workspace& workspace, const std::vec
 
 /// `company`: company_in that room.
 std::optional<Candidate> draw_candidate(const Workspace& workspace, std::size_t room, const Node& node,
-                                        const Where& where, const std::vector<std::size_t>& company, Rng& rng) {
+                                        const FurniturePosition& where, const std::vector<std::size_t>& company,
+                                        Rng& rng) {
   const Scene& scene = workspace.scene();
   const Bounds bounds = room_bounds(scene.rooms[room], scene.wall_height);
   const auto against = [&](const WallStretch& wall, double share, double bottom) -> std::optional<Candidate> {
@@ -179,27 +180,27 @@ std::optional<Candidate> draw_candidate(const Workspace& workspace, std::size_t 
     return Candidate{*pose, std::nullopt};
   };
   switch (where.kind) {
-    case Where::Kind::Wall:
+    case FurniturePosition::Kind::Wall:
       if (rng.chance(kInRow) && !company.empty())
         return Candidate{beside(scene.nodes[rng.pick(company)], node, rng), std::nullopt};
       return against(whole_wall(bounds, rng.below(4)), rng.unit(), 0);
-    case Where::Kind::Corner:
+    case FurniturePosition::Kind::Corner:
       return against(whole_wall(bounds, rng.below(4)), rng.chance(0.5) ? 0.0 : 1.0, 0);
-    case Where::Kind::WallHung:
+    case FurniturePosition::Kind::WallHung:
       return against(whole_wall(bounds, rng.below(4)), rng.unit(),
                      where.height_m.value_or(default_height(node, scene.wall_height)));
-    case Where::Kind::OuterWall: {
+    case FurniturePosition::Kind::OuterWall: {
       const auto walls = outer_walls(scene, room);
       if (walls.empty()) return std::nullopt;
       return against(rng.pick(walls), rng.unit(), where.height_m.value_or(default_height(node, scene.wall_height)));
     }
-    case Where::Kind::Ceiling: {
+    case FurniturePosition::Kind::Ceiling: {
       const Vec2 middle = ((bounds.low + bounds.high) / 2).head<2>();
       const Vec2 off(rng.uniform(-0.5, 0.5), rng.uniform(-0.5, 0.5));
       const double height = scene.wall_height - node.size.z() / 2 - kUnderCeiling_m;
       return Candidate{upright({middle.x() + off.x(), middle.y() + off.y(), height}, 0), std::nullopt};
     }
-    case Where::Kind::Centre: {
+    case FurniturePosition::Kind::Centre: {
       const double yaw = static_cast<double>(rng.below(4)) * std::numbers::pi / 2;
       const Bounds own = bounds_of(upright(Vec3::Zero(), yaw), node.size);
       Vec3 position(0, 0, node.size.z() / 2);
@@ -255,9 +256,10 @@ std::vector<Bounds> own_keep_outs(const Knowledge& knowledge, const Node& node, 
   return spaces;
 }
 
-bool backs_onto_a_wall(Where::Kind kind) {
-  return kind == Where::Kind::Wall || kind == Where::Kind::Corner || kind == Where::Kind::WallHung ||
-         kind == Where::Kind::OuterWall || kind == Where::Kind::Beside;
+bool backs_onto_a_wall(FurniturePosition::Kind kind) {
+  return kind == FurniturePosition::Kind::Wall || kind == FurniturePosition::Kind::Corner ||
+         kind == FurniturePosition::Kind::WallHung || kind == FurniturePosition::Kind::OuterWall ||
+         kind == FurniturePosition::Kind::Beside;
 }
 
 bool within(const Bounds& inner, const Bounds& room) {
@@ -337,7 +339,7 @@ std::vector<KeepOut> keep_outs_of(const Workspace& workspace, const FurnishOptio
 }
 
 bool place_furniture(Workspace& workspace, std::vector<KeepOut>& keep_outs, std::size_t room, Node node,
-                     const Where& where, const FurnishOptions& options, Rng rng) {
+                     const FurniturePosition& where, const FurnishOptions& options, Rng rng) {
   const Bounds bounds = room_bounds(workspace.scene().rooms[room], workspace.scene().wall_height);
   const Shape shape = shape_of(node);
   const auto company = company_in(workspace, room, where);

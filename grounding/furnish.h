@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/rng.h"
-#include "grounding/where.h"
+#include "grounding/furniture_position.h"
 #include "grounding/workspace.h"
 
 namespace unietp {
@@ -32,6 +32,6 @@ std::vector<KeepOut> keep_outs_of(const Workspace& workspace, const FurnishOptio
 /// Sets a piece down in a room (index) as `where` says; its pose is overwritten. Back to the wall, front free, doors
 /// free to open, no keep-out touched; free by FCL. Adds its own keep-outs. False when no draw fits.
 bool place_furniture(Workspace& workspace, std::vector<KeepOut>& keep_outs, std::size_t room, Node node,
-                     const Where& where, const FurnishOptions& options, Rng rng);
+                     const FurniturePosition& where, const FurnishOptions& options, Rng rng);
 
 }  // namespace unietp

@@ -117,7 +117,7 @@ std::variant<Grounded, Rejection> ground(const Specification& specification, con
   if (const auto why = refused_by_numbers(constraints, home, knowledge))
     return rejected(specification, home.scene, *why);
   Workspace workspace(home, knowledge);
-  workspace.live_as(options.household);
+  workspace.set_household(options.household);
   SceneEditor editor(workspace, goal_places(specification.goal), profile, options.draws_per_object,
                      rng.fork("edits", 0));
   Compared compared;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "grounding/present.h"
+#include "grounding/current_state.h"
 
 namespace unietp {
 
@@ -14,7 +14,7 @@ GrownScene read_grown(const Home& home, const Scene& scene) {
   moved.insert(moved.end(), grown.changed.gone.begin(), grown.changed.gone.end());
   grown.walk = walk_of(home, scene, std::move(moved));
   grown.places = home.places;
-  Present present(home);
+  CurrentState present(home);
   for (const std::size_t i : grown.changed.gone) {
     present.touch(home.scene.nodes[i].id, home.physics.bounds(BodyId::node(i)));
     grown.places.remove(i, home.scene.nodes[i]);

@@ -2,8 +2,8 @@
 
 #include <memory>
 
+#include "grounding/current_state.h"
 #include "grounding/home.h"
-#include "grounding/present.h"
 #include "scene/edge_change.h"
 #include "scene/node_index.h"
 #include "scene/trace.h"
@@ -17,10 +17,10 @@ struct GrownScene {
   PhysicsWorld physics;  // of its bodies
   std::shared_ptr<const Walk> walk;
   NodeIndex places;
-  EdgeChange edges;          // from the home's to those that read_relations gives
-  Present::NodeLinks links;  // of all nodes of which they may differ from the home's
-  Trace now;                 // without comparisons
-  FactReader reader;         // that read it
+  EdgeChange edges;               // from the home's to those that read_relations gives
+  CurrentState::NodeLinks links;  // of all nodes of which they may differ from the home's
+  Trace now;                      // without comparisons
+  FactReader reader;              // that read it
 };
 GrownScene read_grown(const Home& home, const Scene& scene);
 

@@ -5,10 +5,10 @@
 
 #include "grounding/floor_plan.h"
 #include "grounding/furnish.h"
+#include "grounding/furniture_position.h"
 #include "grounding/make_node.h"
 #include "grounding/reachability.h"
 #include "grounding/small_objects.h"
-#include "grounding/where.h"
 
 namespace unietp {
 namespace {
@@ -21,7 +21,7 @@ constexpr double kLeastSpare = 0.4;  // of the furniture that need not stand, ho
 
 /// Each type as often as it must be, then those that are the farthest below their share, drawn, within what a home has
 /// at most while that leaves any.
-std::vector<RoomWish> draw_rooms(const LayoutRecipe& recipe, std::size_t count, Rng rng) {
+std::vector<RoomRequest> draw_rooms(const LayoutRecipe& recipe, std::size_t count, Rng rng) {
   std::vector<std::size_t> chosen;
   std::vector<double> have(recipe.rooms.size(), 0);
   double total = 0;
@@ -44,12 +44,12 @@ std::vector<RoomWish> draw_rooms(const LayoutRecipe& recipe, std::size_t count, 
     ++have[next];
   }
   rng.shuffle(chosen);
-  std::vector<RoomWish> wishes;
+  std::vector<RoomRequest> requests;
   for (const std::size_t i : chosen) {
     const RoomRule& rule = recipe.rooms[i];
-    wishes.push_back({rule.type, rng.uniform(rule.area_low_m2, rule.area_high_m2), rule.passage});
+    requests.push_back({rule.type, rng.uniform(rule.area_low_m2, rule.area_high_m2), rule.passage});
   }
-  return wishes;
+  return requests;
 }
 
 std::optional<Scene> draw_empty_home(const LayoutRecipe& recipe, Simulator simulator, int rooms, const std::string& id,
@@ -116,8 +116,9 @@ Furnished furnish(Workspace& workspace, const LayoutRecipe& recipe, const Knowle
           Node node = make_node(workspace, *knowledge.find(rule.category), kSizeSpread, draw);
           draw_states(node, workspace, {}, draw);
           if (obligatory) result.obligatory.insert(node.id);
-          const bool placed = place_furniture(workspace, keep_outs, room, std::move(node), *parse_where(rule.where),
-                                              options, draw.fork("pose", static_cast<std::uint64_t>(k)));
+          const bool placed =
+              place_furniture(workspace, keep_outs, room, std::move(node), *parse_furniture_position(rule.where),
+                              options, draw.fork("pose", static_cast<std::uint64_t>(k)));
           if (!placed && obligatory) {
             result.missing = rule.category + " (" + rule.where + ") in " + workspace.scene().rooms[room].id;
             return result;
@@ -153,7 +154,7 @@ Result<Scene> generate_layout(const LayoutRecipe& recipe, const Knowledge& knowl
     if (!empty) continue;
     const double spare = spare_share(recipe, *empty, options);
     Workspace workspace(std::move(*empty), knowledge);
-    workspace.live_as(recipe.household.get());
+    workspace.set_household(recipe.household.get());
     const Furnished furnished = furnish(workspace, recipe, knowledge, spare, draw);
     if (!furnished.missing.empty()) {
       obstacle = "no place for " + furnished.missing;
@@ -178,7 +179,7 @@ Result<Scene> generate_layout(const LayoutRecipe& recipe, const Knowledge& knowl
     }
     if (scene.nodes.size() < workspace.scene().nodes.size()) {
       workspace = Workspace(std::move(scene), knowledge);
-      workspace.live_as(recipe.household.get());
+      workspace.set_household(recipe.household.get());
     } else {
       workspace.agent() = scene.agent;
     }

@@ -12,14 +12,14 @@ constexpr double kLeastPlace = 1e-6, kLeastState = 1e-3;
 constexpr double kHardlyAny = 0.01;  // share of things at a place that are in a state
 
 /// What a thing of a workspace is on or in, and the room around it, as last read.
-struct Whereabouts {
+struct Location {
   std::vector<std::pair<Predicate, std::size_t>> hosts;
   const Room* room = nullptr;
 };
 
-Whereabouts whereabouts_of(const Workspace& workspace, const Node& node) {
-  Whereabouts found;
-  const auto& present = workspace.present();
+Location location_of(const Workspace& workspace, const Node& node) {
+  Location found;
+  const auto& present = workspace.current_state();
   const auto entity = present.reader().find(node.id);
   if (!entity) return found;
   const auto& trace = present.now();
@@ -61,11 +61,12 @@ double likelihood_of_place(const Workspace& workspace, const Node& node, Predica
   return std::max(kLeastPlace, (place == nullptr ? 0 : place->weight) * suits);
 }
 
-double likelihood_of_states(const Workspace& workspace, const Node& node, const Seat& seat) {
+double likelihood_of_states(const Workspace& workspace, const Node& node, const HostRelation& host_relation) {
   const Household* household = workspace.household();
   if (household == nullptr) return 1;
   double likelihood = 1;
-  for (const LikelyState& likely : household->states_of(node.category, seat.relation, seat.receptacle)) {
+  for (const LikelyState& likely :
+       household->states_of(node.category, host_relation.relation, host_relation.receptacle)) {
     if (node.states.has(likely.state)) {
       likelihood *= likely.share;
     } else if (can_be(node, workspace.knowledge(), likely.state)) {
@@ -79,21 +80,21 @@ double share_in_state(const Workspace& workspace, const Node& node, const State&
   const Household* household = workspace.household();
   if (household == nullptr) return 1;
   double share = 0;
-  const auto where = whereabouts_of(workspace, node);
+  const auto where = location_of(workspace, node);
   if (where.hosts.empty()) share = household->share(node.category, Predicate::On, "", state);
   for (const auto& [relation, host] : where.hosts)
     share = std::max(share, household->share(node.category, relation, workspace.scene().nodes[host].category, state));
   return std::max(share, kLeastState);
 }
 
-Oddness oddness_of(const Workspace& workspace, const Node& node, std::string* said) {
+Oddness oddness_of(const Workspace& workspace, const Node& node, std::string* reason) {
   const auto* household = workspace.household();
   const auto odd = [&](const std::string& why) {
-    if (said != nullptr) *said = node.id + " is " + why;
+    if (reason != nullptr) *reason = node.id + " is " + why;
     return Oddness::Senseless;
   };
   if (household == nullptr || household->places_of(node.category).empty()) return Oddness::None;
-  const auto where = whereabouts_of(workspace, node);
+  const auto where = location_of(workspace, node);
   if (where.room != nullptr && household->in_room(node.category, where.room->type) < Household::kNoRoom)
     return odd("in " + where.room->id + ", where nobody keeps such things");
   const auto& all = household->places_of(node.category);

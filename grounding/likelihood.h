@@ -15,7 +15,7 @@ double likelihood_of_place(const Workspace& workspace, const Node& node, Predica
 
 /// How likely a thing is as it is there: of each state that the household speaks of, its share where the thing has it,
 /// the rest where it has not, all multiplied; at least 0.001, and 1 without a household.
-double likelihood_of_states(const Workspace& workspace, const Node& node, const Seat& seat);
+double likelihood_of_states(const Workspace& workspace, const Node& node, const HostRelation& host_relation);
 
 /// The share of such things where it is, as last read, that are in a state; at least 0.001, and 1 without a household.
 double share_in_state(const Workspace& workspace, const Node& node, const State& state);
@@ -27,8 +27,8 @@ enum class Oddness : std::uint8_t {
   Senseless  // in a room or at a place where nobody keeps such things, in a state that hardly any is in there, or
              // beside what safety keeps apart from it
 };
-/// How odd a movable thing is where and as it is, as last read; None without a household. `said`, if given, is set to
+/// How odd a movable thing is where and as it is, as last read; None without a household. `reason`, if given, is set to
 /// the reason, for people.
-Oddness oddness_of(const Workspace& workspace, const Node& node, std::string* said = nullptr);
+Oddness oddness_of(const Workspace& workspace, const Node& node, std::string* reason = nullptr);
 
 }  // namespace unietp

@@ -89,9 +89,10 @@ bool opens_in_place(const Node& node) {
   return !sweep_of(open);
 }
 
-void draw_likely_states(Node& node, const Knowledge& knowledge, const Household& household, const Seat& seat,
-                        Rng& rng) {
-  for (const LikelyState& likely : household.states_of(node.category, seat.relation, seat.receptacle)) {
+void draw_likely_states(Node& node, const Knowledge& knowledge, const Household& household,
+                        const HostRelation& host_relation, Rng& rng) {
+  for (const LikelyState& likely :
+       household.states_of(node.category, host_relation.relation, host_relation.receptacle)) {
     if (!rng.chance(likely.share) || !can_be(node, knowledge, likely.state)) continue;
     if (likely.state.predicate == Predicate::Open) {
       if (!opens_in_place(node)) continue;
@@ -103,9 +104,10 @@ void draw_likely_states(Node& node, const Knowledge& knowledge, const Household&
 
 }  // namespace
 
-void draw_states(Node& node, const Workspace& workspace, const Seat& seat, Rng& rng) {
+void draw_states(Node& node, const Workspace& workspace, const HostRelation& host_relation, Rng& rng) {
   const Knowledge& knowledge = workspace.knowledge();
-  if (workspace.household() != nullptr) return draw_likely_states(node, knowledge, *workspace.household(), seat, rng);
+  if (workspace.household() != nullptr)
+    return draw_likely_states(node, knowledge, *workspace.household(), host_relation, rng);
   const Category* category = knowledge.find(node.category);
   if (node.states.has(Predicate::Clean) && rng.chance(kDirtyShare)) node.states.set({Predicate::Dirty, {}});
   if (node.states.has(Predicate::PowerOff) && category && shines(*category) && rng.chance(kLightOnShare)) {

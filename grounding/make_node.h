@@ -19,14 +19,14 @@ Node make_node(const Workspace& workspace, const Category& category, double spre
 std::vector<const Asset*> usable_assets(const Knowledge& knowledge, const Category& category);
 
 /// What a thing is on or in; none for furniture.
-struct Seat {
+struct HostRelation {
   Predicate relation = Predicate::On;
   std::string_view receptacle = {};  // category
 };
 /// States of a lived-in home, with the shares that the workspace's household says of such a thing there: plates in the
 /// sink are dirty, those in the cabinet are not. Without a household a seventh is dirty, some lamps and screens are on,
 /// some vessels full, some laptops and books open. Furniture with doors stays shut.
-void draw_states(Node& node, const Workspace& workspace, const Seat& seat, Rng& rng);
+void draw_states(Node& node, const Workspace& workspace, const HostRelation& host_relation, Rng& rng);
 
 /// Whether a thing of this kind can be in a state at all.
 bool can_be(const Node& node, const Knowledge& knowledge, const State& state);

@@ -28,8 +28,8 @@ bool overlap_at(const Placed& a, const Placed& b) {
 
 class Packing {
  public:
-  explicit Packing(const std::vector<ThingWithSpots>& things) {
-    for (const ThingWithSpots& thing : things) {
+  explicit Packing(const std::vector<ObjectWithPoses>& things) {
+    for (const ObjectWithPoses& thing : things) {
       auto& spots = things_.emplace_back();
       for (const Pose& pose : thing.spots)
         spots.push_back({thing.collider->bounds(pose), thing.collider->placed(pose)});
@@ -62,6 +62,6 @@ class Packing {
 
 }  // namespace
 
-bool fit_together(const std::vector<ThingWithSpots>& things) { return Packing(things).fits(0); }
+bool fit_together(const std::vector<ObjectWithPoses>& things) { return Packing(things).fits(0); }
 
 }  // namespace unietp

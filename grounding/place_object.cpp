@@ -101,7 +101,7 @@ bool blocks_a_door(const Workspace& workspace, const Bounds& bounds, std::size_t
 
 /// Whether a thing that stands with its whole footprint on a surface is in equilibrium there: flat below, its weight
 /// over its base, on the floor or on something level that never moves. Letting it down in physics would show nothing.
-bool stands_firmly(const Workspace& workspace, const StandIn& trial, std::optional<std::size_t> receptacle) {
+bool stands_firmly(const Workspace& workspace, const TrialNode& trial, std::optional<std::size_t> receptacle) {
   const auto& nodes = workspace.scene().nodes;
   const Node& node = nodes[trial.body().index()];
   const auto& parts = trial.shape().parts;
@@ -114,7 +114,7 @@ bool stands_firmly(const Workspace& workspace, const StandIn& trial, std::option
 }
 
 /// Where the thing of the trial comes to rest when it is let go at a pose; nullopt when that is elsewhere.
-std::optional<Pose> let_go(const Workspace& workspace, const StandIn& trial, const Pose& pose) {
+std::optional<Pose> let_go(const Workspace& workspace, const TrialNode& trial, const Pose& pose) {
   const std::array<BodyId, 1> self{trial.body()};
   const Settled settled = workspace.physics().settle(self);
   const Pose rest = settled.bodies.front().pose;
@@ -124,7 +124,7 @@ std::optional<Pose> let_go(const Workspace& workspace, const StandIn& trial, con
 }
 
 /// Tests one candidate pose; the pose at rest, or nullopt with the obstacle named.
-std::optional<Pose> try_pose(Workspace& workspace, double opening, StandIn& trial, const Pose& pose,
+std::optional<Pose> try_pose(Workspace& workspace, double opening, TrialNode& trial, const Pose& pose,
                              std::optional<Predicate> wanted, std::optional<std::size_t> receptacle,
                              const PlacementOptions& options, std::string& obstacle) {
   const std::array<BodyId, 1> self{trial.body()};
@@ -178,7 +178,7 @@ FoundPlace find_place(Workspace& workspace, const Node& node, std::size_t index,
   found.obstacle = "is too high for every surface of " + host.id;
   if (surfaces.empty()) return found;
 
-  StandIn trial(workspace, node, index);
+  TrialNode trial(workspace, node, index);
   for (int draw = 0; draw < options.draws; ++draw) {
     const Surface& surface = surfaces[rng.weighted(areas)];
     auto footprint = draw_footprint(node.size, surface.half, rng);
@@ -207,7 +207,7 @@ FoundPlace find_place_on_floor(Workspace& workspace, const Node& node, std::size
   FoundPlace found;
   found.obstacle = "does not fit on the floor there";
   const Vec2 centre = (area.low + area.high).head<2>() / 2, half = (area.high - area.low).head<2>() / 2;
-  StandIn trial(workspace, node, index);
+  TrialNode trial(workspace, node, index);
   for (int draw = 0; draw < options.draws; ++draw) {
     const auto footprint = draw_footprint(node.size, half, rng);
     if (!footprint) continue;

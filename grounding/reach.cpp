@@ -52,10 +52,10 @@ std::vector<Vec2> places_by(const Node& node, const Walk& walk, const Profile& p
 using Standing = std::function<const std::vector<Vec2>&()>;
 
 /// Places to stand for work at a target, found as they are asked for.
-class Footholds {
+class StandingPlaces {
  public:
-  Footholds(const Scene& scene, const PhysicsWorld& world, const Standing& standing, const Profile& profile,
-            std::size_t target, std::size_t held)
+  StandingPlaces(const Scene& scene, const PhysicsWorld& world, const Standing& standing, const Profile& profile,
+                 std::size_t target, std::size_t held)
       : scene_(scene),
         world_(world),
         standing_(standing),
@@ -111,13 +111,13 @@ Spots spots_for(const Scene& scene, const PhysicsWorld& world, const Standing& s
   const auto& collider = world.collider(BodyId::node(thing));
   const auto& shape = world.collider(BodyId::node(target)).shape;
   const auto loose = loose_near(scene, world, world.bounds(BodyId::node(target)), node.size.norm(), scene.nodes.size());
-  std::optional<Footholds> footholds;
-  if (!receptacle.movable) footholds.emplace(scene, world, standing, profile, target, thing);
+  std::optional<StandingPlaces> standing_places;
+  if (!receptacle.movable) standing_places.emplace(scene, world, standing, profile, target, thing);
   Spots spots;
   for_each_spot(receptacle, shape, node.size, inside, true, [&](const Pose& pose) {
-    if (footholds && world.overlap(collider, pose, loose)) return true;
+    if (standing_places && world.overlap(collider, pose, loose)) return true;
     spots.any_free = true;
-    if (!footholds || footholds->reach(pose.position)) spots.within_reach.push_back(pose);
+    if (!standing_places || standing_places->reach(pose.position)) spots.within_reach.push_back(pose);
     return spots.within_reach.size() < most;
   });
   return spots;
@@ -277,10 +277,10 @@ bool Reach::room_for_all(const std::vector<std::size_t>& things, std::size_t tar
   const auto standing = [&]() -> const std::vector<Vec2>& {
     return opened != nullptr ? standing_by(*opened, target) : standing_by(target);
   };
-  std::vector<ThingWithSpots> fitting;
+  std::vector<ObjectWithPoses> fitting;
   for (const std::size_t thing : things) {
-    ThingWithSpots one{&collider(thing),
-                       spots_for(scene, world, standing, profile_, {thing, target, inside}, kMostSpots).within_reach};
+    ObjectWithPoses one{&collider(thing),
+                        spots_for(scene, world, standing, profile_, {thing, target, inside}, kMostSpots).within_reach};
     if (one.spots.size() == kMostSpots) return true;
     const Predicate relation = inside ? Predicate::Inside : Predicate::On;
     if (has_edge(scene_, relation, scene_.nodes[thing].id, scene_.nodes[target].id)) {

@@ -8,7 +8,7 @@
 #include "akb/tables.h"
 #include "core/files.h"
 #include "grounding/floor_plan.h"
-#include "grounding/where.h"
+#include "grounding/furniture_position.h"
 
 namespace unietp {
 namespace {
@@ -64,7 +64,7 @@ class RecipeReader {
       rule.mean = row.number("mean", std::max(0, rule.at_least), kMostOfAKind, true);
       if (rule.mean > rule.at_most) row.fail("mean", "expected a number from at_least to at_most");
       rule.where = row.text("where");
-      const auto where = parse_where(rule.where);
+      const auto where = parse_furniture_position(rule.where);
       if (!where) {
         row.fail("where",
                  "expected wall, corner, centre, ceiling, wall-hung[:metres], outer-wall[:metres], on:, at:, "

@@ -18,7 +18,7 @@ struct RoomRule {
   double weight = 0;  // mean number in a home; only the proportions count
   int at_least = 0, at_most = 4;
   double area_low_m2 = 9, area_high_m2 = 20;
-  int passage = 3;  // as in RoomWish
+  int passage = 3;  // as in RoomRequest
 };
 
 /// A piece of furniture in rooms of a type; data/layouts/<simulator>.csv.
@@ -27,7 +27,7 @@ struct FurnitureRule {
   std::string category;
   double mean = 0;  // number in such a room
   int at_least = 0, at_most = 1;
-  std::string where;  // as in grounding/where.h
+  std::string where;  // as in grounding/furniture_position.h
 };
 
 /// A small thing in rooms of a type; data/layouts/<simulator>_objects.csv.

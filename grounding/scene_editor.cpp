@@ -22,14 +22,15 @@ constexpr int kHostsTried = 8;
 constexpr double kWallMargin_m = 0.15;
 
 /// Kinds of place for a piece that no recipe speaks of, the most usual first.
-std::vector<Where> usual_places(const Node& node) {
+std::vector<FurniturePosition> usual_places(const Node& node) {
   const bool hangs = node.archetype == Archetype::Panel ||
                      (node.archetype == Archetype::Fixture && node.size.z() < 1.0) ||
                      (node.archetype == Archetype::Shelf && node.size.z() < 0.5);
-  std::vector<Where> places;
-  for (const auto kind : {Where::Kind::Wall, Where::Kind::Corner, Where::Kind::Centre})
+  std::vector<FurniturePosition> places;
+  for (const auto kind :
+       {FurniturePosition::Kind::Wall, FurniturePosition::Kind::Corner, FurniturePosition::Kind::Centre})
     places.push_back({.kind = kind, .host = {}, .height_m = {}});
-  if (hangs) places = {{.kind = Where::Kind::WallHung, .host = {}, .height_m = {}}};
+  if (hangs) places = {{.kind = FurniturePosition::Kind::WallHung, .host = {}, .height_m = {}}};
   return places;
 }
 
@@ -149,7 +150,7 @@ std::optional<std::string> SceneEditor::add_furniture(const std::string& categor
   options.draws = 2 * draws_;
   auto keep_outs = keep_outs_of(workspace_, options, room);
   const auto places = usual_places(node);
-  const bool placed = std::any_of(places.begin(), places.end(), [&](const Where& where) {
+  const bool placed = std::any_of(places.begin(), places.end(), [&](const FurniturePosition& where) {
     return place_furniture(workspace_, keep_outs, room, node, where, options, next_rng());
   });
   stale_ = true;

@@ -30,7 +30,7 @@ std::vector<bool> usual_rooms(const Workspace& workspace, const Category& catego
 }
 
 /// A thing that some room shall have.
-struct Wish {
+struct PlacementRequest {
   std::optional<std::size_t> room;  // nullopt: any
   const Category* category;
   bool of_rule = false;  // real homes have it there
@@ -47,33 +47,33 @@ class Scatterer {
     }
   }
 
-  std::vector<Wish> draw_wishes(Rng& rng) const {
+  std::vector<PlacementRequest> draw_requests(Rng& rng) const {
     const double seen = options_.wanted * (1 - recipe_.unseen_share);
-    std::vector<std::pair<Wish, double>> expected;
+    std::vector<std::pair<PlacementRequest, double>> expected;
     double total = 0;
-    for_each_rule([&](const Wish& wish, double mean) {
-      expected.emplace_back(wish, mean);
+    for_each_rule([&](const PlacementRequest& request, double mean) {
+      expected.emplace_back(request, mean);
       total += mean;
     });
-    std::vector<Wish> wishes;
-    for (const auto& [wish, mean] : expected) {
+    std::vector<PlacementRequest> requests;
+    for (const auto& [request, mean] : expected) {
       const double number = mean * std::min(seen / total, kMostOften);
       const int count = static_cast<int>(number) + (rng.chance(number - std::floor(number)) ? 1 : 0);
-      wishes.insert(wishes.end(), static_cast<std::size_t>(count), wish);
+      requests.insert(requests.end(), static_cast<std::size_t>(count), request);
     }
     const auto unseen = unseen_categories();
     const double rest = options_.wanted * recipe_.unseen_share;
     const int others = static_cast<int>(rest) + (rng.chance(rest - std::floor(rest)) ? 1 : 0);
-    for (int i = 0; i < others && !unseen.empty(); ++i) wishes.push_back({std::nullopt, rng.pick(unseen), false});
-    rng.shuffle(wishes);
-    return wishes;
+    for (int i = 0; i < others && !unseen.empty(); ++i) requests.push_back({std::nullopt, rng.pick(unseen), false});
+    rng.shuffle(requests);
+    return requests;
   }
 
   /// One more thing: in a room drawn by how much its rules name, of a category that is usual there, the rarer the more
   /// of it there are; nullopt when there is none.
-  std::optional<Wish> draw_wish(Rng& rng) const {
+  std::optional<PlacementRequest> draw_request(Rng& rng) const {
     std::vector<double> rooms(rooms_.size(), 0);
-    for_each_rule([&](const Wish& wish, double mean) { rooms[*wish.room] += mean; });
+    for_each_rule([&](const PlacementRequest& request, double mean) { rooms[*request.room] += mean; });
     if (std::none_of(rooms.begin(), rooms.end(), [](double mean) { return mean > 0; })) return std::nullopt;
     const std::size_t room = rng.weighted(rooms);
     const std::string& type = workspace_.scene().rooms[room].type;
@@ -96,13 +96,13 @@ class Scatterer {
       chances.push_back(again * in_room(room, *category));
     }
     if (usual.empty()) return std::nullopt;
-    return Wish{room, usual[rng.weighted(chances)], false};
+    return PlacementRequest{room, usual[rng.weighted(chances)], false};
   }
 
-  bool place(const Wish& wish, Rng rng) {
-    const Node plain = make_node(workspace_, *wish.category, kObjectSizeSpread, rng);
-    std::vector<Host> hosts = hosts_in(wish);
-    std::erase_if(hosts, [&](const Host& host) { return holds_what_clashes(host.node, wish.category->name); });
+  bool place(const PlacementRequest& request, Rng rng) {
+    const Node plain = make_node(workspace_, *request.category, kObjectSizeSpread, rng);
+    std::vector<Host> hosts = hosts_in(request);
+    std::erase_if(hosts, [&](const Host& host) { return holds_what_clashes(host.node, request.category->name); });
     for (int choice = 0; choice < kReceptaclesPerTry && !hosts.empty(); ++choice) {
       std::vector<double> chances;
       for (const Host& host : hosts) chances.push_back(host.weight);
@@ -118,7 +118,7 @@ class Scatterer {
                                           options, rng.fork("place", static_cast<std::uint64_t>(choice)));
       if (!place.pose) continue;
       node.pose = *place.pose;
-      carried_[host.node].push_back(wish.category->name);
+      carried_[host.node].push_back(request.category->name);
       enter(workspace_.add(std::move(node)));
       return true;
     }
@@ -133,7 +133,7 @@ class Scatterer {
         if (rule.room != workspace_.scene().rooms[room].type) continue;
         const Category* category = workspace_.knowledge().find(rule.category);
         if (category == nullptr || !suits(room, *category)) continue;
-        each(Wish{room, category, true}, rule.mean * std::sqrt(in_room(room, *category)));
+        each(PlacementRequest{room, category, true}, rule.mean * std::sqrt(in_room(room, *category)));
       }
     }
   }
@@ -171,16 +171,16 @@ class Scatterer {
     rooms_[static_cast<std::size_t>(room - scene.rooms.data())][node.category].push_back(index);
   }
 
-  std::vector<Host> hosts_in(const Wish& wish) const {
+  std::vector<Host> hosts_in(const PlacementRequest& request) const {
     std::vector<Host> hosts;
     for (std::size_t room = 0; room < rooms_.size(); ++room) {
-      if ((wish.room && *wish.room != room) || !suits(room, *wish.category)) continue;
+      if ((request.room && *request.room != room) || !suits(room, *request.category)) continue;
       if (workspace_.household() != nullptr) {
-        add_usual_hosts(room, wish, hosts);
+        add_usual_hosts(room, request, hosts);
         continue;
       }
       for (const Predicate relation : {Predicate::On, Predicate::Inside}) {
-        for (const Placement* placement : workspace_.knowledge().placements_of(wish.category->name, relation))
+        for (const Placement* placement : workspace_.knowledge().placements_of(request.category->name, relation))
           add_hosts(room, placement->receptacle, relation, placement->likelihood, hosts);
       }
     }
@@ -196,15 +196,15 @@ class Scatterer {
   }
 
   /// Nothing where the room has none of the usual places of what has such places, unless real homes have it there.
-  void add_usual_hosts(std::size_t room, const Wish& wish, std::vector<Host>& hosts) const {
-    const auto& places = workspace_.household()->places_of(wish.category->name);
+  void add_usual_hosts(std::size_t room, const PlacementRequest& request, std::vector<Host>& hosts) const {
+    const auto& places = workspace_.household()->places_of(request.category->name);
     const auto is_usual = [](const Household::Place& place) { return place.usual; };
     const auto is_here = [&](const Household::Place& place) { return rooms_[room].contains(place.receptacle); };
-    const bool some = !wish.of_rule && std::any_of(places.begin(), places.end(), is_usual);
+    const bool some = !request.of_rule && std::any_of(places.begin(), places.end(), is_usual);
     if (some &&
         std::none_of(places.begin(), places.end(), [&](const auto& one) { return is_usual(one) && is_here(one); }))
       return;
-    const double here = wish.room ? 1 : in_room(room, *wish.category);
+    const double here = request.room ? 1 : in_room(room, *request.category);
     for (const auto& place : places) add_hosts(room, place.receptacle, place.relation, place.weight * here, hosts);
   }
 
@@ -281,13 +281,13 @@ int scatter_objects(Workspace& workspace, const LayoutRecipe& recipe, const Scat
   Rng draw = rng.fork("wishes", 0);
   int placed = 0;
   std::uint64_t tries = 0;
-  for (const Wish& wish : scatterer.draw_wishes(draw)) {
-    if (placed < options.wanted && scatterer.place(wish, rng.fork("object", tries++))) ++placed;
+  for (const PlacementRequest& request : scatterer.draw_requests(draw)) {
+    if (placed < options.wanted && scatterer.place(request, rng.fork("object", tries++))) ++placed;
   }
   for (int more = 0; more < 2 * options.wanted && placed < options.wanted; ++more) {
-    const auto wish = scatterer.draw_wish(draw);
-    if (!wish) break;
-    if (scatterer.place(*wish, rng.fork("object", tries++))) ++placed;
+    const auto request = scatterer.draw_request(draw);
+    if (!request) break;
+    if (scatterer.place(*request, rng.fork("object", tries++))) ++placed;
   }
   return placed;
 }

@@ -39,10 +39,10 @@ Workspace::Workspace(const Home& home, const Knowledge& knowledge)
       bounds_(home.bounds),
       places_(home.places),
       rooms_(home.rooms),
-      present_(home) {}
+      current_state_(home) {}
 
 void Workspace::note(std::size_t index) {
-  if (present_) present_->touch(scene_.nodes[index].id, physics_.bounds(BodyId::node(index)));
+  if (current_state_) current_state_->touch(scene_.nodes[index].id, physics_.bounds(BodyId::node(index)));
 }
 
 void Workspace::place(std::size_t index, Node node) {
@@ -75,8 +75,8 @@ std::size_t Workspace::add(Node node) {
 }
 
 void Workspace::replace(std::size_t index, Node node) {
-  if (present_ && same_body(scene_.nodes[index], node)) {
-    present_->touch(node.id);
+  if (current_state_ && same_body(scene_.nodes[index], node)) {
+    current_state_->touch(node.id);
     scene_.nodes.edit(index) = std::move(node);
     return;
   }
@@ -101,8 +101,8 @@ void Workspace::remove(std::size_t index) {
 
 void Workspace::read_edges() {
   ++reading_;
-  if (present_) {
-    present_->read(scene_, places_, physics_);
+  if (current_state_) {
+    current_state_->read(scene_, places_, physics_);
   } else {
     scene_.edges = read_relations(scene_, physics_);
   }
@@ -110,8 +110,8 @@ void Workspace::read_edges() {
 
 std::vector<std::string> Workspace::carried_by(std::size_t index) const {
   constexpr double kNear_m = 0.02;  // more than what counts as touching
-  const FactReader& reader = present_->reader();
-  const Facts& facts = present_->now().states.front();
+  const FactReader& reader = current_state_->reader();
+  const Facts& facts = current_state_->now().states.front();
   std::vector<std::size_t> found{index};
   for (std::size_t at = 0; at < found.size(); ++at) {
     const auto carrier = reader.find(scene_.nodes[found[at]].id);
@@ -136,7 +136,7 @@ std::vector<std::string> Workspace::carried_by(std::size_t index) const {
 Delta Workspace::changes() const {
   Delta changes;
   std::vector<std::size_t> gone;
-  for (const std::string& id : present_->ever_touched()) {
+  for (const std::string& id : current_state_->ever_touched()) {
     const auto place = places_.find(id), before = home_->places.find(id);
     if (place && !(before && home_->scene.nodes[*before] == scene_.nodes[*place]))
       changes.nodes.push_back(scene_.nodes[*place]);
@@ -144,7 +144,7 @@ Delta Workspace::changes() const {
   }
   std::sort(gone.begin(), gone.end());
   for (const std::size_t i : gone) changes.removed.push_back(home_->scene.nodes[i].id);
-  EdgeChange edges = present_->since_home();
+  EdgeChange edges = current_state_->since_home();
   changes.edges_added = std::move(edges.added);
   changes.edges_removed = std::move(edges.removed);
   if (scene_.agent != home_->scene.agent) changes.agent = scene_.agent;
@@ -178,7 +178,7 @@ std::string Workspace::name_of(BodyId body) const {
   return body == kFloor ? "the floor" : "a wall";
 }
 
-StandIn::StandIn(Workspace& workspace, Node node, std::size_t index)
+TrialNode::TrialNode(Workspace& workspace, Node node, std::size_t index)
     : workspace_(workspace), index_(index), shape_(shape_of(node)) {
   workspace_.physics_.set(body(), shape_, node.pose, node.opening, node.mass);
   auto& nodes = workspace_.scene_.nodes;
@@ -189,7 +189,7 @@ StandIn::StandIn(Workspace& workspace, Node node, std::size_t index)
   }
 }
 
-StandIn::~StandIn() {
+TrialNode::~TrialNode() {
   auto& nodes = workspace_.scene_.nodes;
   if (!before_) {
     workspace_.physics_.remove(body());
@@ -200,7 +200,7 @@ StandIn::~StandIn() {
   nodes.edit(index_) = std::move(*before_);
 }
 
-void StandIn::move(const Pose& pose) {
+void TrialNode::move(const Pose& pose) {
   workspace_.physics_.move(body(), pose);
   workspace_.scene_.nodes.edit(index_).pose = pose;
 }

@@ -7,9 +7,9 @@
 
 #include "akb/knowledge.h"
 #include "grounding/collision.h"
+#include "grounding/current_state.h"
 #include "grounding/home.h"
 #include "grounding/household.h"
-#include "grounding/present.h"
 #include "scene/scene.h"
 #include "simulation/physics.h"
 
@@ -31,7 +31,7 @@ class Workspace {
   const PlacementChecker& checker() const { return checker_; }
   /// How things are in such a home; nullptr when nothing is known of that. It must outlive this value.
   const Household* household() const { return household_; }
-  void live_as(const Household* household) { household_ = household; }
+  void set_household(const Household* household) { household_ = household; }
   const Home* home() const { return home_; }  // nullptr for a scene of its own
 
   /// Appends a node where its pose says; gives its index.
@@ -43,7 +43,7 @@ class Workspace {
   /// Reads the relations anew from physics: the scene's edges; of a home only what can have changed, for `present`.
   void read_edges();
   /// The state of a workspace that began as a home, as last read.
-  const Present& present() const { return *present_; }
+  const CurrentState& current_state() const { return *current_state_; }
   /// Of such a one: where a body can stand, and where it can walk, as home.h says.
   std::optional<NavigationGrid> other_grid() const { return unietp::other_grid(*home_, scene_, moved_); }
   std::shared_ptr<const Walk> walk() const { return walk_of(*home_, scene_, moved_); }
@@ -88,7 +88,7 @@ class Workspace {
   std::string name_of(BodyId body) const;  // node's id, "wall" or "floor"
 
  private:
-  friend class StandIn;
+  friend class TrialNode;
   void place(std::size_t index, Node node);
   void note(std::size_t index);
 
@@ -102,20 +102,20 @@ class Workspace {
   double farthest_sweep_ = 0;
   SharedList<Bounds> bounds_;
   NodeIndex places_;
-  std::vector<std::int32_t> rooms_;  // by node: place of its room, -1 for none
-  std::vector<std::size_t> moved_;   // where in the list another body was set, or none is left
-  std::optional<Present> present_;   // when it began as a home
+  std::vector<std::int32_t> rooms_;            // by node: place of its room, -1 for none
+  std::vector<std::size_t> moved_;             // where in the list another body was set, or none is left
+  std::optional<CurrentState> current_state_;  // when it began as a home
   int reading_ = 0;
 };
 
 /// While it lives, a node stands in the graph and in physics, but not in FCL, in place of the one at `index` or as one
 /// more after the last: a trial. The workspace is as before afterwards; references to nodes do not survive it.
-class StandIn {
+class TrialNode {
  public:
-  StandIn(Workspace& workspace, Node node, std::size_t index);
-  ~StandIn();
-  StandIn(const StandIn&) = delete;
-  StandIn& operator=(const StandIn&) = delete;
+  TrialNode(Workspace& workspace, Node node, std::size_t index);
+  ~TrialNode();
+  TrialNode(const TrialNode&) = delete;
+  TrialNode& operator=(const TrialNode&) = delete;
 
   void move(const Pose& pose);                          // to another place
   const Shape& shape() const { return shape_; }         // of the object, in its own frame

@@ -66,7 +66,7 @@ std::vector<VisibleObject> pictured(const Environment& environment) {
   if (!boxes) return environment.pictured();
   std::vector<VisibleObject> seen;
   seen.reserve(boxes->size());
-  for (const SeenObject& object : *boxes) seen.push_back({object.id, object.box});
+  for (const ObservedObject& object : *boxes) seen.push_back({object.id, object.box});
   return seen;
 }
 

@@ -18,8 +18,17 @@ constexpr std::array kSplitColumns{SplitColumn{"atomic", "At."}, SplitColumn{"co
                                    SplitColumn{"logical", "Lo."}, SplitColumn{"instance_grounding", "In."},
                                    SplitColumn{"linguistic", "Li."}};
 std::string_view title_of(Simulator simulator) {
-  constexpr std::array<std::string_view, 4> kTitles{"AI2-THOR", "VirtualHome", "Habitat", "BEHAVIOR"};
-  return kTitles[static_cast<std::size_t>(simulator)];
+  switch (simulator) {
+    case Simulator::Ai2thor:
+      return "AI2-THOR";
+    case Simulator::Virtualhome:
+      return "VirtualHome";
+    case Simulator::Habitat:
+      return "Habitat";
+    case Simulator::Behavior:
+      return "BEHAVIOR";
+  }
+  return "";
 }
 constexpr const char* kRates = "Success rates in percent, each with its 95 % interval.";
 

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "core/text.h"
-#include "sense/deeds.h"
+#include "sense/action_roles.h"
 #include "sense/wants.h"
 
 namespace unietp {
@@ -84,7 +84,7 @@ bool concerns(const Want& want, const Want& known) {
 }
 
 /// A want about one category, in words and as a role.
-struct Asked {
+struct RoleQuestion {
   Role role;
   std::string words;
 };
@@ -149,26 +149,26 @@ class GoalGrader {
     return words_.of_word(symbol).value_or("");
   }
 
-  std::optional<Asked> with_substance(const Want& want, const std::string& thing) const {
+  std::optional<RoleQuestion> with_substance(const Want& want, const std::string& thing) const {
     if (want.predicate == Predicate::Filled) {
-      if (want.negated) return Asked{"empty", "empty " + thing};
+      if (want.negated) return RoleQuestion{"empty", "empty " + thing};
       const auto kind = substance(want.symbol);
       if (kind.empty()) return std::nullopt;
-      return Asked{"fill:" + kind, "fill " + thing + " with " + want.symbol};
+      return RoleQuestion{"fill:" + kind, "fill " + thing + " with " + want.symbol};
     }
     if (want.symbol == "dust")
-      return want.negated ? Asked{"dust", "dust " + thing} : Asked{"soil", "spread dust on " + thing};
+      return want.negated ? RoleQuestion{"dust", "dust " + thing} : RoleQuestion{"soil", "spread dust on " + thing};
     const auto kind = words_.of_word(want.symbol);
     if (!kind) return std::nullopt;
-    return want.negated ? Asked{"uncover:" + *kind, "wipe " + want.symbol + " off " + thing}
-                        : Asked{"cover:" + *kind, "spread " + want.symbol + " over " + thing};
+    return want.negated ? RoleQuestion{"uncover:" + *kind, "wipe " + want.symbol + " off " + thing}
+                        : RoleQuestion{"cover:" + *kind, "spread " + want.symbol + " over " + thing};
   }
 
-  std::optional<Asked> with_other(const Want& want, const std::string& thing, const Thing& other) const {
+  std::optional<RoleQuestion> with_other(const Want& want, const std::string& thing, const Thing& other) const {
     const auto& kinds = sense_.kinds();
-    const auto known = [&](Role role, const std::string& between) -> std::optional<Asked> {
+    const auto known = [&](Role role, const std::string& between) -> std::optional<RoleQuestion> {
       if (other.kind.empty()) return std::nullopt;
-      return Asked{std::move(role), thing + " " + between + " " + other.words};
+      return RoleQuestion{std::move(role), thing + " " + between + " " + other.words};
     };
     switch (want.predicate) {
       case Predicate::On:
@@ -182,7 +182,7 @@ class GoalGrader {
       case Predicate::Attached:
         return known("attach:" + other.kind, "attached to");
       case Predicate::OnFloor:
-        return Asked{"on:floor", thing + " on the floor"};
+        return RoleQuestion{"on:floor", thing + " on the floor"};
       case Predicate::InRoom:
         return in_room(thing, other);
       default:
@@ -190,14 +190,14 @@ class GoalGrader {
     }
   }
 
-  static Asked in_room(const std::string& thing, const Thing& room) {
+  static RoleQuestion in_room(const std::string& thing, const Thing& room) {
     return {"in_room:" + room.words, thing + " in the " + replace_all(room.words, "_", " ")};
   }
 
   /// All that a want asks of a thing: several where the other one is one of several categories.
-  std::vector<Asked> asked(const Want& want, const Thing& thing) const {
-    std::vector<Asked> all;
-    const auto add = [&](std::optional<Asked> one) {
+  std::vector<RoleQuestion> asked(const Want& want, const Thing& thing) const {
+    std::vector<RoleQuestion> all;
+    const auto add = [&](std::optional<RoleQuestion> one) {
       if (one) all.push_back(std::move(*one));
     };
     if (want.predicate == Predicate::Filled || want.predicate == Predicate::Covered) {
@@ -209,8 +209,8 @@ class GoalGrader {
         add(with_other(want, thing.words, other));
         if (want.predicate == Predicate::OnFloor) add(in_room(thing.words, other));
       }
-    } else if (const auto deed = deed_of(want.predicate); !deed.empty()) {
-      add(Asked{std::string(deed), replace_all(std::string(deed), "_", " ") + " " + thing.words});
+    } else if (const auto action = action_of(want.predicate); !action.empty()) {
+      add(RoleQuestion{std::string(action), replace_all(std::string(action), "_", " ") + " " + thing.words});
     }
     return all;
   }
@@ -329,7 +329,7 @@ class GoalGrader {
         const auto& kinds = sense_.kinds();
         const bool stays = kinds.is_a(machine.kind, "place") || kinds.is_a(machine.kind, "fixture");
         if (!stays || thing.kind.empty() || sense_.belongs(thing, machine.kind)) continue;
-        keep(std::string(deed_of(part.predicate)) + " " + machine.words + ", and " + thing.words + " elsewhere",
+        keep(std::string(action_of(part.predicate)) + " " + machine.words + ", and " + thing.words + " elsewhere",
              {Grade::Tolerable, 0.3, {"the two have nothing to do with one another"}, "apart"});
       }
     }

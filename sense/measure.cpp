@@ -28,9 +28,9 @@ Grade grade_of(const CommonSense& sense, const Evidence& item) {
 }
 
 /// Grades items beside the other parts of their activities.
-class Beside {
+class CompanionGrader {
  public:
-  Beside(const CommonSense& sense, std::span<const Item> fitted, std::span<const Item> held)
+  CompanionGrader(const CommonSense& sense, std::span<const Item> fitted, std::span<const Item> held)
       : kinds_(sense.kinds()),
         companions_(count_companions(fitted, kinds_)),
         activities_(kinds_of_activities(held, kinds_)) {}
@@ -73,7 +73,7 @@ std::vector<HeldOutFigures> measure_held_out(std::span<const Item> items, const 
   for (const auto& item : items) (is_held_out(item) ? held : fitted).push_back(item);
   const CommonSense sense(kinds, categories, judgments, rules, add_up(fitted));
   const SwapPool pool(sense, physical);
-  const Beside beside(sense, fitted, held);
+  const CompanionGrader beside(sense, fitted, held);
   std::map<std::string, HeldOutFigures> by_source;
   for (const auto& item : held) {
     const Evidence& row = item.evidence;

@@ -32,7 +32,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kDeeds{{
                                                                                 {"Lie on ", "lie"}}};
 constexpr std::array<std::string_view, 3> kLiquids{"water", "coffee", "wine"};
 
-struct Deed {
+struct ProgramAction {
   std::string thing;  // kind
   Role role;
   std::string word;  // of the thing
@@ -55,54 +55,54 @@ std::optional<std::pair<std::string, std::string>> halves(const std::string& ste
   return std::pair(rest.substr(0, first), rest.substr(first + length));
 }
 
-std::optional<Deed> placed(const std::string& step, const Vocabulary& vocabulary) {
+std::optional<ProgramAction> placed(const std::string& step, const Vocabulary& vocabulary) {
   const auto parts = halves(step, "Put ", {" on ", " in "});
   if (!parts) return std::nullopt;
   const auto thing = vocabulary.words.of_word(parts->first, kList);
   const auto place = vocabulary.words.of_word(parts->second, kList);
   if (!thing || !place) return std::nullopt;
-  return Deed{*thing, usual_place(vocabulary.kinds, *place), parts->first};
+  return ProgramAction{*thing, usual_place(vocabulary.kinds, *place), parts->first};
 }
 
-std::optional<Deed> poured(const std::string& step, const Vocabulary& vocabulary) {
+std::optional<ProgramAction> poured(const std::string& step, const Vocabulary& vocabulary) {
   const auto parts = halves(step, "Pour ", {" into ", " on ", " in "});
   if (!parts) return std::nullopt;
   const auto target = vocabulary.words.of_word(parts->second, kList);
   if (!target) return std::nullopt;
   if (std::find(kLiquids.begin(), kLiquids.end(), parts->first) != kLiquids.end())
-    return Deed{*target, "fill:" + parts->first, parts->second};
+    return ProgramAction{*target, "fill:" + parts->first, parts->second};
   const auto substance = vocabulary.words.of_word(parts->first, kList);
   if (!substance) return std::nullopt;
-  return Deed{*target, "cover:" + *substance, parts->second};
+  return ProgramAction{*target, "cover:" + *substance, parts->second};
 }
 
-std::optional<Deed> deed_of(const std::string& step, const Vocabulary& vocabulary) {
-  if (auto deed = placed(step, vocabulary)) return deed;
-  if (auto deed = poured(step, vocabulary)) return deed;
+std::optional<ProgramAction> action_of(const std::string& step, const Vocabulary& vocabulary) {
+  if (auto action = placed(step, vocabulary)) return action;
+  if (auto action = poured(step, vocabulary)) return action;
   for (const auto& [words, role] : kDeeds) {
     if (!step.starts_with(words)) continue;
     const auto word = step.substr(words.size());
-    if (const auto thing = vocabulary.words.of_word(word, kList)) return Deed{*thing, std::string(role), word};
+    if (const auto thing = vocabulary.words.of_word(word, kList)) return ProgramAction{*thing, std::string(role), word};
   }
   return std::nullopt;
 }
 
 using Times = std::map<std::tuple<std::string, std::string, Role, std::string>, int>;  // title, thing, role, step
 
-/// Counts each deed of a program once, and each pair of deeds that follow one another with one thing.
+/// Counts each action of a program once, and each pair of actions that follow one another with one thing.
 void count_program(const std::string& title, const nlohmann::json& steps, const Vocabulary& vocabulary, Times& times) {
   std::map<std::tuple<std::string, std::string, Role, std::string>, bool> seen;
   std::map<std::string, Role> last;  // by word of the thing
   for (const auto& step : steps) {
     if (!step.is_string()) continue;
     const auto text = step.get<std::string>();
-    const auto deed = deed_of(text, vocabulary);
-    if (!deed) continue;
-    seen[{title, deed->thing, deed->role, text}] = true;
-    Role& before = last[deed->word];
-    if (!before.empty() && before != deed->role && family_of(before) != "place")
-      seen[{title, deed->thing, before + ">" + deed->role, text}] = true;
-    before = deed->role;
+    const auto action = action_of(text, vocabulary);
+    if (!action) continue;
+    seen[{title, action->thing, action->role, text}] = true;
+    Role& before = last[action->word];
+    if (!before.empty() && before != action->role && family_of(before) != "place")
+      seen[{title, action->thing, before + ">" + action->role, text}] = true;
+    before = action->role;
   }
   for (const auto& [key, once] : seen) ++times[key];
 }

@@ -93,9 +93,9 @@ std::optional<Evidence> SwapPool::swapped(const Evidence& item, By by, std::uint
       return std::nullopt;
     }
   } else {
-    const auto deed = family == "do" ? item.role : family;
+    const auto action = family == "do" ? item.role : family;
     for (const auto& need : kNeeds) {
-      if (need.family != deed) continue;
+      if (need.family != action) continue;
       const auto having = having_.find(std::string(need.affordance));
       const bool any = by == By::Physics && !need.part;
       other.thing = any                       ? chosen(carried_, item.thing, draw)

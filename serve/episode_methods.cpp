@@ -42,7 +42,7 @@ Json picture_json(const Environment& environment, bool boxes) {
   Picture picture = environment.picture();
   const auto& seen = environment.observe().boxes;
   if (boxes && seen) {
-    for (const SeenObject& object : *seen) draw_box(picture, object.box, {255, 60, 20});
+    for (const ObservedObject& object : *seen) draw_box(picture, object.box, {255, 60, 20});
   }
   const auto bytes = png(picture.width, picture.height, picture.rgb);
   return {{"width", picture.width}, {"height", picture.height}, {"png", bytes ? base64(*bytes) : ""}};

@@ -6,12 +6,20 @@
 #include <string_view>
 #include <utility>
 
+#include "simulation/noise.h"
+
 namespace unietp {
 namespace {
 
 struct Named {
   std::string_view name;
   std::array<double, 3> colour;
+};
+
+struct Material {
+  std::string_view name;
+  std::array<double, 3> colour;
+  Matter matter;
 };
 
 constexpr std::array<Named, 19> kColours{{{"white", {240, 239, 234}},
@@ -33,35 +41,41 @@ constexpr std::array<Named, 19> kColours{{{"white", {240, 239, 234}},
                                           {"tan", {200, 166, 122}},
                                           {"turquoise", {80, 176, 170}},
                                           {"olive", {132, 134, 72}}}};
-constexpr std::array<Named, 14> kMaterials{{{"plastic", {205, 205, 214}},
-                                            {"metal", {172, 178, 186}},
-                                            {"glass", {190, 216, 226}},
-                                            {"wood", {176, 130, 84}},
-                                            {"fabric", {150, 158, 186}},
-                                            {"paper", {238, 232, 212}},
-                                            {"ceramic", {236, 230, 222}},
-                                            {"leather", {120, 78, 54}},
-                                            {"stone", {160, 158, 152}},
-                                            {"cardboard", {190, 154, 108}},
-                                            {"rubber", {70, 70, 72}},
-                                            {"wicker", {196, 162, 104}},
-                                            {"wax", {240, 228, 190}},
-                                            {"foam", {232, 216, 150}}}};
+constexpr std::array<Material, 14> kMaterials{{{"plastic", {205, 205, 214}, Matter::Plastic},
+                                               {"metal", {172, 178, 186}, Matter::Metal},
+                                               {"glass", {190, 216, 226}, Matter::Glass},
+                                               {"wood", {176, 130, 84}, Matter::Wood},
+                                               {"fabric", {150, 158, 186}, Matter::Fabric},
+                                               {"paper", {238, 232, 212}, Matter::Paper},
+                                               {"ceramic", {236, 230, 222}, Matter::Ceramic},
+                                               {"leather", {120, 78, 54}, Matter::Leather},
+                                               {"stone", {160, 158, 152}, Matter::Stone},
+                                               {"cardboard", {190, 154, 108}, Matter::Cardboard},
+                                               {"rubber", {70, 70, 72}, Matter::Rubber},
+                                               {"wicker", {196, 162, 104}, Matter::Wicker},
+                                               {"wax", {240, 228, 190}, Matter::Wax},
+                                               {"foam", {232, 216, 150}, Matter::Foam}}};
 
-template <std::size_t N>
-const Named* named(const std::array<Named, N>& table, std::string_view name) {
-  const auto found = std::find_if(table.begin(), table.end(), [&](const Named& entry) { return entry.name == name; });
+constexpr std::array<Named, 32> kSubstances{
+    {{"coffee", {62, 38, 22}},    {"wine", {104, 18, 44}},       {"milk", {246, 244, 236}},
+     {"cream", {246, 240, 222}},  {"tea", {150, 86, 34}},        {"juice", {238, 158, 44}},
+     {"beer", {216, 154, 44}},    {"cola", {48, 24, 16}},        {"sauce", {150, 40, 22}},
+     {"ketchup", {180, 26, 20}},  {"jam", {150, 20, 50}},        {"chocolate", {76, 42, 24}},
+     {"soap", {120, 190, 120}},   {"detergent", {84, 130, 214}}, {"oil", {214, 186, 60}},
+     {"honey", {220, 150, 30}},   {"blood", {130, 10, 14}},      {"mud", {86, 60, 36}},
+     {"soil", {70, 48, 32}},      {"dirt", {86, 64, 44}},        {"dust", {172, 166, 156}},
+     {"ash", {120, 118, 116}},    {"rust", {164, 78, 34}},       {"moss", {92, 120, 50}},
+     {"mold", {96, 122, 96}},     {"paint", {60, 110, 190}},     {"ink", {30, 30, 80}},
+     {"snow", {244, 248, 252}},   {"flour", {244, 240, 230}},    {"sugar", {248, 246, 242}},
+     {"mustard", {214, 170, 30}}, {"water", {116, 176, 224}}}};
+
+template <class Entry, std::size_t N>
+const Entry* named(const std::array<Entry, N>& table, std::string_view name) {
+  const auto found = std::find_if(table.begin(), table.end(), [&](const Entry& entry) { return entry.name == name; });
   return found == table.end() ? nullptr : &*found;
 }
 
 Colour colour(const std::array<double, 3>& rgb) { return {rgb[0], rgb[1], rgb[2]}; }
-
-/// FNV-1a: equal on every machine.
-std::uint32_t number_of(std::string_view text) {
-  std::uint32_t hash = 2166136261U;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
-  return hash;
-}
 
 /// Default colour of furniture by archetype.
 Colour plain_paint(const Node& node) {
@@ -93,10 +107,44 @@ Colour plain_paint(const Node& node) {
 
 Colour paint_of(const Node& node) {
   const Named* known = named(kColours, node.colour);
-  if (known == nullptr) known = named(kMaterials, node.material);
-  const Colour base = known != nullptr ? colour(known->colour) : plain_paint(node);
+  const Material* material = named(kMaterials, node.material);
+  const Colour base = known != nullptr      ? colour(known->colour)
+                      : material != nullptr ? colour(material->colour)
+                                            : plain_paint(node);
   constexpr double kShade = 0.09;  // lightest against darkest
   return base * (1 - kShade / 2 + kShade * (number_of(node.id) % 16) / 15.0);
+}
+
+Matter matter_of(const Node& node) {
+  if (const Material* known = named(kMaterials, node.material)) return known->matter;
+  for (const Predicate state : {Predicate::Cooked, Predicate::Raw, Predicate::Whole, Predicate::Sliced}) {
+    if (node.states.has(state)) return Matter::Food;
+  }
+  if (!node.slice_of.empty()) return Matter::Food;
+  for (const Predicate state : {Predicate::Folded, Predicate::Unfolded, Predicate::Soaked, Predicate::Dry}) {
+    if (node.states.has(state)) return Matter::Fabric;
+  }
+  switch (node.archetype) {
+    case Archetype::Table:
+    case Archetype::Shelf:
+    case Archetype::Drawers:
+    case Archetype::Cabinet:
+      return Matter::Wood;
+    case Archetype::Seat:
+    case Archetype::Bed:
+      return Matter::Fabric;
+    case Archetype::Basin:
+      return Matter::Ceramic;
+    default:
+      return Matter::Plain;
+  }
+}
+
+Colour substance_paint(std::string_view substance) {
+  for (const Named& known : kSubstances) {
+    if (substance.find(known.name) != std::string_view::npos) return colour(known.colour);
+  }
+  return {226, 206, 140};
 }
 
 Colour floor_paint(const Room* room, const Vec2& at) {
@@ -111,6 +159,12 @@ Colour floor_paint(const Room* room, const Vec2& at) {
   constexpr std::array<double, 3> kShades{1.0, 0.94, 0.97};
   const int board = cell(at.y(), kBoard_m);
   return Colour(190, 156, 116) * kShades[static_cast<std::size_t>(((board % 3) + 3) % 3)];
+}
+
+Colour wall_paint(double height_m, double wall_height_m) {
+  constexpr double kBoard_m = 0.09, kShade_m = 0.3;
+  if (height_m < kBoard_m) return {196, 190, 178};
+  return kWallPaint * (0.93 + 0.07 * std::clamp((wall_height_m - height_m) / kShade_m, 0.0, 1.0));
 }
 
 }  // namespace unietp

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <string_view>
+
 #include "scene/scene.h"
 
 namespace unietp {
@@ -9,8 +12,34 @@ using Colour = Vec3;
 
 /// A node's colour: its own if known, else that of its material, else that of its archetype, slightly varied by id.
 Colour paint_of(const Node& node);
+/// What a surface is made of, as far as the eye can tell.
+enum class Matter : std::uint8_t {
+  Plain,
+  Plastic,
+  Metal,
+  Glass,
+  Wood,
+  Fabric,
+  Paper,
+  Ceramic,
+  Leather,
+  Stone,
+  Cardboard,
+  Rubber,
+  Wicker,
+  Wax,
+  Foam,
+  Food
+};
+/// Of the node's material; where that is not known, what things of its archetype or with its states are mostly made of.
+Matter matter_of(const Node& node);
+/// Of what fills or covers an object, by words of its name: coffee brown, milk white. Others: a pale yellow.
+Colour substance_paint(std::string_view substance);
+
 /// Floors: tiles in kitchens and bathrooms, boards elsewhere, a plain grey outside of all rooms (nullptr).
 Colour floor_paint(const Room* room, const Vec2& at);
+/// Walls: a baseboard, and a shade less light below the ceiling.
+Colour wall_paint(double height_m, double wall_height_m);
 /// Of walls, ceilings and openings.
 inline const Colour kWallPaint(226, 221, 210), kCeilingPaint(240, 240, 238), kOpenPaint(205, 222, 235);
 

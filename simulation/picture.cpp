@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <string_view>
 
 #include "simulation/camera.h"
-#include "simulation/paint.h"
+#include "simulation/glow.h"
+#include "simulation/noise.h"
 #include "simulation/solids.h"
 
 namespace unietp {
@@ -13,6 +16,7 @@ namespace {
 
 constexpr double kEverywhere_m = 1000;
 constexpr double kShadow_m = 0.8;  // longest shadow
+constexpr double kLamps_m = 9;     // farther lamps are not lit
 const Vec3 kSun = Vec3(0.35, 0.2, 0.9).normalized();
 
 /// What a pixel shows: a face of a solid, the floor, the ceiling or an opening.
@@ -26,21 +30,33 @@ struct Spot {
 
 class Painter {
  public:
-  Painter(const Scene& scene, const Camera& camera, const Rays& rays)
-      : scene_(scene), camera_(camera), rays_(rays), spots_(size()), known_(size(), 0), lights_(size(), -1.0F) {
-    for (const Node& node : scene.nodes) paints_.push_back(paint_of(node));
+  Painter(const Scene& scene, const Camera& camera, const Rays& rays, const std::vector<Node>& in_hand)
+      : scene_(scene), camera_(camera), rays_(rays), spots_(size()), known_(size(), 0), lights_(size(), kDark) {
+    bodies_.reserve(scene.nodes.size());
+    looks_.reserve(scene.nodes.size());
+    for (const Node& node : scene.nodes) {
+      const auto held =
+          std::find_if(in_hand.begin(), in_hand.end(), [&](const Node& one) { return one.id == node.id; });
+      const Node& shown = held == in_hand.end() ? node : *held;
+      bodies_.push_back({shown.pose.rotation.toRotationMatrix().transpose(), shown.pose.position});
+      looks_.push_back(look_of(shown));
+    }
+    sources_ = light_sources(scene, looks_, camera, kLamps_m);
   }
 
-  Picture paint() {
+  Picture paint(const std::vector<std::size_t>& hidden) {
     find_spots();
     Picture picture{camera_.width, camera_.height, {}};
     picture.rgb.reserve(3 * size());
     for (int y = 0; y < camera_.height; ++y) {
       for (int x = 0; x < camera_.width; ++x) {
-        const Colour colour = paint_at(x, y) * light_at(x, y) * rim_at(x, y);
-        for (int c = 0; c < 3; ++c)
-          picture.rgb.push_back(static_cast<std::uint8_t>(std::clamp(std::round(colour[c]), 0.0, 255.0)));
+        const Colour colour = colour_at(x, y) * rim_at(x, y);
+        for (int c = 0; c < 3; ++c) picture.rgb.push_back(byte_of(colour[c]));
       }
+    }
+    for (std::size_t i = 0; i < looks_.size(); ++i) {
+      if (std::binary_search(hidden.begin(), hidden.end(), i)) continue;
+      for (const Puff& puff : puffs_of(scene_.nodes[i], looks_[i])) blow(puff, picture);
     }
     return picture;
   }
@@ -57,13 +73,12 @@ class Painter {
   Spot look(int x, int y) const {
     const Vec3 direction = way(x, y);
     const auto hit = rays_.first(camera_.at, direction, kEverywhere_m);
-    return hit ? Spot{static_cast<std::int32_t>(hit->solid), hit->along, hit->normal} : shell(direction);
+    return hit ? Spot{static_cast<std::int32_t>(hit->solid), hit->along, hit->normal} : shell(camera_.at, direction);
   }
   /// Floor and ceiling are planes behind everything else.
-  Spot shell(const Vec3& direction) const {
-    if (direction.z() < 0) return {Spot::kFloor, -camera_.at.z() / direction.z(), Vec3::UnitZ()};
-    if (direction.z() > 0)
-      return {Spot::kCeiling, (scene_.wall_height - camera_.at.z()) / direction.z(), -Vec3::UnitZ()};
+  Spot shell(const Vec3& from, const Vec3& direction) const {
+    if (direction.z() < 0) return {Spot::kFloor, -from.z() / direction.z(), Vec3::UnitZ()};
+    if (direction.z() > 0) return {Spot::kCeiling, (scene_.wall_height - from.z()) / direction.z(), -Vec3::UnitZ()};
     return {};
   }
 
@@ -105,58 +120,146 @@ class Painter {
         if (known_[index(x, y)]) continue;
         known_[index(x, y)] = true;
         const Vec3 direction = way(x, y);
-        spots_[index(x, y)] = corner.solid < 0 ? shell(direction)
+        spots_[index(x, y)] = corner.solid < 0 ? shell(camera_.at, direction)
                                                : Spot{corner.solid, away / direction.dot(corner.normal), corner.normal};
       }
     }
   }
 
-  Colour paint_at(int x, int y) {
+  static std::uint8_t byte_of(double value) {
+    return static_cast<std::uint8_t>(std::clamp(std::round(value), 0.0, 255.0));
+  }
+
+  Colour colour_at(int x, int y) {
     const Spot& spot = spots_[index(x, y)];
-    if (spot.solid == Spot::kOpen) return kOpenPaint;
-    if (spot.solid == Spot::kCeiling) return kCeilingPaint;
+    return colour_of(spot, camera_.at, way(x, y), light_at(x, y), 0);
+  }
+
+  /// Of a spot on a ray, lit, with what is seen through it. `through`: how many clear faces lie before it.
+  Colour colour_of(const Spot& spot, const Vec3& from, const Vec3& direction, const Vec3& light, int through) {
+    const Vec3 at = from + spot.depth * direction;
+    const Finish finish = finish_at(spot, at, direction);
+    if (finish.glows) return finish.colour;
+    Colour colour = finish.colour.cwiseProduct(light);
+    constexpr int kMostThrough = 3;
+    if (finish.clear > 0 && through < kMostThrough) {
+      constexpr double kInto_m = 0.0005;
+      const Vec3 inside = at + kInto_m * direction.normalized();
+      const auto hit = rays_.first(inside, direction, kEverywhere_m);
+      const Spot next =
+          hit ? Spot{static_cast<std::int32_t>(hit->solid), hit->along, hit->normal} : shell(inside, direction);
+      const Colour behind = colour_of(next, inside, direction, lit(next, inside, direction), through + 1);
+      colour = mixed(colour, behind.cwiseProduct(Vec3(0.94, 0.98, 1.0)), finish.clear);
+    }
+    return finish.gloss > 0 ? shining(colour, finish.gloss, spot.normal, direction) : colour;
+  }
+
+  /// Reflections of the lamp, and of a bright ceiling above a darker floor.
+  static Colour shining(const Colour& colour, double gloss, const Vec3& normal, const Vec3& direction) {
+    const Vec3 eye = direction.normalized(), mirrored = eye - 2 * eye.dot(normal) * normal;
+    const double above = ramp(-0.35, 0.75, mirrored.z()), square = gloss * gloss;
+    const double lamp = std::max(0.0, mirrored.dot(kSun));
+    const double two = lamp * lamp, four = two * two, eight = four * four;
+    return colour * (1 - 0.42 * square * (1 - above)) +
+           Colour::Constant(150 * gloss * eight * eight + 34 * square * above);
+  }
+
+  Finish finish_at(const Spot& spot, const Vec3& at, const Vec3& direction) {
+    if (spot.solid == Spot::kOpen) return {kOpenPaint, 0, 0, true};
+    if (spot.solid == Spot::kCeiling) return {kCeilingPaint};
     if (spot.solid == Spot::kFloor) {
-      const Vec2 at = (camera_.at + spot.depth * way(x, y)).head<2>();
-      if (room_ == nullptr || !contains(room_->polygon, at)) room_ = room_at(scene_, at);
-      return floor_paint(room_, at);
+      const Vec2 place = at.head<2>();
+      if (room_ == nullptr || !contains(room_->polygon, place)) room_ = room_at(scene_, place);
+      return {floor_paint(room_, place)};
     }
     const Solid& solid = rays_.solids()[static_cast<std::size_t>(spot.solid)];
-    if (solid.owner < 0) return kWallPaint;
+    if (solid.owner < 0) return {wall_paint(at.z(), scene_.wall_height)};
+    const auto owner = static_cast<std::size_t>(solid.owner);
+    const Body& body = bodies_[owner];
+    const Look& look = looks_[owner];
+    SurfacePoint point;
+    point.skin = solid.skin;
+    point.moves = solid.moves;
+    point.pixel_m = spot.depth * direction.norm() / camera_.focal;
+    if (solid.moves || solid.skin != Skin::Body) {
+      const Quat back = solid.pose.rotation.conjugate();
+      point.at = rotated(back, at - solid.pose.position);
+      point.normal = rotated(back, spot.normal);
+      point.inner = point.at.cwiseQuotient(solid.size / 2);
+    } else {
+      point.at = body.to_own * (at - body.centre);
+      point.normal = body.to_own * spot.normal;
+      point.inner = point.at.cwiseQuotient(look.half);
+    }
+    Finish finish = finish_of(look, point);
     constexpr double kDoor = 0.93;  // doors are slightly darker than the body
-    return paints_[static_cast<std::size_t>(solid.owner)] * (solid.moves ? kDoor : 1);
+    if (solid.moves && !finish.glows) finish.colour *= kDoor;
+    return finish;
   }
 
   /// Computed once for two by two pixels that show one face.
-  double light_at(int x, int y) {
+  Vec3 light_at(int x, int y) {
     const int x0 = x & ~1, y0 = y & ~1;
     const bool same = spots_[index(x, y)].same_face(spots_[index(x0, y0)]);
-    float& light = lights_[same ? index(x0, y0) : index(x, y)];
-    if (light < 0) light = static_cast<float>(same ? lit(x0, y0) : lit(x, y));
-    return light;
+    const int lx = same ? x0 : x, ly = same ? y0 : y;
+    Eigen::Vector3f& light = lights_[index(lx, ly)];
+    if (light.x() < 0) light = lit(spots_[index(lx, ly)], camera_.at, way(lx, ly)).cast<float>();
+    return light.cast<double>();
   }
 
-  /// Ambient light, light from the camera, and sunlight where it is not blocked.
-  double lit(int x, int y) const {
-    const Spot& spot = spots_[index(x, y)];
-    if (spot.solid == Spot::kOpen) return 1;
-    const Vec3 direction = way(x, y);
+  /// Ambient light, light from the camera, sunlight where it is not blocked, and that of lamps. Shadows are darkest
+  /// where the thing that casts them touches.
+  Vec3 lit(const Spot& spot, const Vec3& from, const Vec3& direction) const {
+    if (spot.solid == Spot::kOpen) return Vec3::Ones();
     const double facing = std::abs(spot.normal.dot(direction.normalized()));
-    if (spot.solid == Spot::kCeiling) return 0.9 + 0.1 * facing;
-    constexpr double kAround = 0.48, kEye = 0.26, kAbove = 0.28, kLift_m = 0.001;
+    const Vec3 at = from + spot.depth * direction;
+    const Vec3 lamps = sources_.empty() ? Vec3(Vec3::Zero()) : light_of(sources_, at, spot.normal);
+    if (spot.solid == Spot::kCeiling) return Vec3::Constant(0.9 + 0.1 * facing) + 0.3 * lamps;
+    constexpr double kAround = 0.48, kEye = 0.24, kAbove = 0.3, kLift_m = 0.001, kCorner = 0.16, kCorner_m = 0.25;
     const double above = spot.normal.dot(kSun);
-    const Vec3 at = camera_.at + spot.depth * direction + kLift_m * spot.normal;
-    const bool in_sun = above > 0 && !rays_.first(at, kSun, kShadow_m);
-    return kAround + kEye * facing + (in_sun ? kAbove * above : 0);
+    double sun = above > 0 ? above : 0, around = kAround;
+    if (above > 0) {
+      const auto hit = rays_.first(at + kLift_m * spot.normal, kSun, kShadow_m);
+      if (hit) {
+        const double near = 1 - hit->along / kShadow_m;
+        sun *= 1 - ramp(0, 0.6, near);
+        around *= 1 - 0.35 * near * near;
+      }
+    } else {
+      around -= kCorner * (1 - ramp(0, kCorner_m, at.z()));  // less light comes near the floor
+    }
+    return Vec3::Constant(around + kEye * facing + kAbove * sun) + lamps;
+  }
+
+  /// Lays a puff over the picture, where nothing is nearer.
+  void blow(const Puff& puff, Picture& picture) const {
+    const auto middle = camera_.pixel(puff.at);
+    if (!middle) return;
+    const double depth = camera_.depth(puff.at), radius = camera_.focal * puff.radius / depth;
+    const auto first = [&](double at) { return std::max(0, static_cast<int>(std::max(0.0, at - radius))); };
+    const auto last = [&](double at, int pixels) { return static_cast<int>(std::min(pixels - 1.0, at + radius)); };
+    for (int y = first(middle->y()); y <= last(middle->y(), camera_.height); ++y) {
+      for (int x = first(middle->x()); x <= last(middle->x(), camera_.width); ++x) {
+        const double away = (Vec2(x + 0.5, y + 0.5) - *middle).squaredNorm() / (radius * radius);
+        if (away >= 1 || spots_[index(x, y)].depth < depth - puff.radius) continue;
+        const double share = puff.strength * (1 - away) * (1 - away);
+        for (std::size_t c = 0; c < 3; ++c) {
+          std::uint8_t& value = picture.rgb[3 * index(x, y) + c];
+          value = byte_of(value + share * (puff.colour[static_cast<Eigen::Index>(c)] - value));
+        }
+      }
+    }
   }
 
   /// Darkens outlines of objects, and less so edges between faces.
   double rim_at(int x, int y) const {
     const Spot& here = spots_[index(x, y)];
-    constexpr double kEnd = 0.5, kFold = 0.82;
+    constexpr double kEnd = 0.55, kFold = 0.85;
     double rim = 1;
     for (const auto& [nx, ny] : {std::pair{x + 1, y}, std::pair{x, y + 1}}) {
       if (nx >= camera_.width || ny >= camera_.height) continue;
       const Spot& there = spots_[index(nx, ny)];
+      if (flows(here) || flows(there)) continue;
       if (owner(here) != owner(there)) {
         rim = std::min(rim, kEnd);
       } else if (here.solid >= 0 && there.solid >= 0) {
@@ -167,6 +270,12 @@ class Painter {
     }
     return rim;
   }
+  /// Water and flames have no outlines.
+  bool flows(const Spot& spot) const {
+    if (spot.solid < 0) return false;
+    const Skin skin = rays_.solids()[static_cast<std::size_t>(spot.solid)].skin;
+    return skin == Skin::Water || skin == Skin::Flame;
+  }
   /// Owner of a spot; walls, floor, ceiling and openings have numbers of their own.
   std::int32_t owner(const Spot& spot) const {
     if (spot.solid < 0) return spot.solid - 1;
@@ -176,11 +285,18 @@ class Painter {
   const Scene& scene_;
   const Camera& camera_;
   const Rays& rays_;
-  std::vector<Colour> paints_;  // of the nodes
+  struct Body {
+    Eigen::Matrix3d to_own;
+    Vec3 centre;
+  };
+  inline static const Eigen::Vector3f kDark{-1, -1, -1};  // not computed
+  std::vector<Body> bodies_;                              // of the nodes
+  std::vector<Look> looks_;                               // of the nodes
+  std::vector<LightSource> sources_;
   std::vector<Spot> spots_;
   std::vector<std::uint8_t> known_;  // by pixel: whether its spot is known
-  std::vector<float> lights_;        // negative: not computed
-  const Room* room_ = nullptr;       // of the last floor pixel; neighbouring ones are mostly in the same
+  std::vector<Eigen::Vector3f> lights_;
+  const Room* room_ = nullptr;  // of the last floor pixel; neighbouring ones are mostly in the same
 };
 
 }  // namespace
@@ -211,14 +327,48 @@ std::vector<std::size_t> hidden_in(const ViewedScene& viewed) {
 
 }  // namespace
 
+namespace {
+
+/// What the agent holds, as it is seen in its hands: in the lower corners, made small enough to leave the view free.
+std::vector<Node> held_before(const Scene& scene, const Camera& camera) {
+  constexpr double kMost_m = 0.13, kAhead_m = 0.5, kAside = 0.8, kDown = 0.78;  // parts of the image's half
+  std::vector<Node> held;
+  for (const std::string& id : scene.agent.held) {
+    const Node* known = find_node(scene, id);
+    if (known == nullptr) continue;
+    Node node = *known;
+    const double small = std::min(1.0, kMost_m / node.size.maxCoeff());
+    node.size *= small;
+    for (Board& board : node.boards) board.centre *= small, board.size *= small;
+    const double aside = kAside * camera.width / 2 / camera.focal, down = kDown * camera.height / 2 / camera.focal;
+    const double side = held.empty() ? 1 : -1;
+    node.pose = upright(camera.at + kAhead_m * (camera.ahead + side * aside * camera.right + down * camera.down),
+                        std::atan2(-camera.right.x(), camera.right.y()) - std::numbers::pi / 2);
+    held.push_back(std::move(node));
+  }
+  return held;
+}
+
+std::int32_t owner_of(const Scene& scene, std::string_view id) {
+  const auto found =
+      std::find_if(scene.nodes.begin(), scene.nodes.end(), [&](const Node& node) { return node.id == id; });
+  return static_cast<std::int32_t>(found - scene.nodes.begin());
+}
+
+}  // namespace
+
 Picture picture_of(const Scene& scene, const Profile& profile, Rays& rays) {
   return picture_of(viewed(scene), profile, rays);
 }
 
 Picture picture_of(const ViewedScene& viewed, const Profile& profile, Rays& rays) {
   const Camera camera = camera_of(viewed.scene.agent, profile);
-  rays.build(solids_of(viewed.scene, camera, kEverywhere_m, hidden_in(viewed), true));
-  return Painter(viewed.scene, camera, rays).paint();
+  const auto hidden = hidden_in(viewed);
+  auto solids = solids_of(viewed.scene, camera, kEverywhere_m, hidden, true);
+  const auto in_hand = held_before(viewed.scene, camera);
+  for (const Node& node : in_hand) add_shown(node, owner_of(viewed.scene, node.id), solids);
+  rays.build(std::move(solids));
+  return Painter(viewed.scene, camera, rays, in_hand).paint(hidden);
 }
 
 std::optional<std::size_t> node_at(const ViewedScene& viewed, const Profile& profile, int x, int y, Rays& rays) {

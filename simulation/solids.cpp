@@ -9,6 +9,7 @@
 
 #include "simulation/relations.h"
 #include "simulation/shape.h"
+#include "simulation/state_solids.h"
 #include "simulation/walls.h"
 
 namespace unietp {
@@ -84,6 +85,16 @@ void add_solids(const Node& node, std::int32_t owner, std::vector<Solid>& solids
   }
 }
 
+void add_shown(const Node& node, std::int32_t owner, std::vector<Solid>& solids) {
+  const bool round = is_round(node);
+  if (round) {
+    for (const Part& part : round_parts(node)) solids.push_back({part.kind, node.pose * part.pose, part.size, owner});
+  } else {
+    add_solids(node, owner, solids);
+  }
+  add_state_solids(node, owner, round, solids);
+}
+
 std::vector<Solid> solids_of(const Scene& scene, const Camera& camera, double farthest,
                              const std::vector<std::size_t>& hidden, bool rounded) {
   std::vector<Solid> solids;
@@ -95,11 +106,7 @@ std::vector<Solid> solids_of(const Scene& scene, const Camera& camera, double fa
     if (!matters(node.pose.position, sight_radius(node))) continue;
     if (std::binary_search(hidden.begin(), hidden.end(), i)) continue;
     const auto owner = static_cast<std::int32_t>(i);
-    if (rounded && is_round(node)) {
-      for (const Part& part : round_parts(node)) solids.push_back({part.kind, node.pose * part.pose, part.size, owner});
-      continue;
-    }
-    add_solids(node, owner, solids);
+    rounded ? add_shown(node, owner, solids) : add_solids(node, owner, solids);
   }
   for (const WallPiece& piece : walls_of(scene)) {
     if (matters(piece.pose.position, piece.size.norm() / 2))

@@ -19,8 +19,11 @@ double sight_radius(const Node& node);
 /// Appends an object's solids as physics has them; `owner` is stored in each.
 void add_solids(const Node& node, std::int32_t owner, std::vector<Solid>& solids);
 
+/// The same for display: plates, mugs and bowls are round, and there is what shows states (state_solids.h).
+void add_shown(const Node& node, std::int32_t owner, std::vector<Solid>& solids);
+
 /// The solids at most `farthest` metres away that an image of this camera may show: objects but the hidden ones, in
-/// order of the nodes, then walls. As in physics; or `rounded` for display: plates, mugs and bowls are round.
+/// order of the nodes, then walls. As in physics; or `rounded` for display (add_shown).
 std::vector<Solid> solids_of(const Scene& scene, const Camera& camera, double farthest,
                              const std::vector<std::size_t>& hidden, bool rounded = false);
 

@@ -28,7 +28,7 @@ std::int32_t Vocabulary::number_of(std::string_view name) const {
   return found == names_.end() || *found != name ? 0 : static_cast<std::int32_t>(found - names_.begin()) + 1;
 }
 
-void ArrayForm::add(const NamedThing& thing, std::int32_t kind) {
+void ArrayForm::add(const NamedEntity& thing, std::int32_t kind) {
   if (row_of(thing.id)) return;
   if (ids_.size() == rows_) {
     complete_ = false;

@@ -77,7 +77,7 @@ class ArrayForm {
   struct Row {
     std::int32_t kind = 0, category = 0;
   };
-  void add(const NamedThing& thing, std::int32_t kind);
+  void add(const NamedEntity& thing, std::int32_t kind);
   std::optional<std::size_t> row_of(std::string_view id) const;
 
   const Vocabulary* vocabulary_;

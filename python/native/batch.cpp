@@ -35,12 +35,12 @@ using Seeds = std::vector<std::optional<std::uint64_t>>;
 /// Which task each environment's episodes have. Worker threads ask, each for environments of its own.
 class Episodes {
  public:
-  Episodes(EpisodeTasks supply, std::size_t count)
-      : supply_(std::move(supply)), seeds_(count), first_(count), next_(count) {}
+  Episodes(EpisodeTasks tasks, std::size_t count)
+      : tasks_(std::move(tasks)), seeds_(count), first_(count), next_(count) {}
 
   Result<SharedTask> task(std::size_t environment, std::uint64_t episode) {
     next_[environment] = episode + 1;
-    return supply_.task_of_episode(seeds_[environment], episode - first_[environment]);
+    return tasks_.task_of_episode(seeds_[environment], episode - first_[environment]);
   }
   /// From the next episode on, counted from 0 again.
   void begin(const Seeds& seeds) {
@@ -49,7 +49,7 @@ class Episodes {
   }
 
  private:
-  EpisodeTasks supply_;
+  EpisodeTasks tasks_;
   Seeds seeds_;
   std::vector<std::uint64_t> first_, next_;
 };
@@ -64,10 +64,10 @@ struct AllObserved {
 
 class SharedBatch {
  public:
-  SharedBatch(std::size_t count, int threads, const EpisodeTasks& supply, const Settings& settings,
+  SharedBatch(std::size_t count, int threads, const EpisodeTasks& tasks, const Settings& settings,
               const Encoding& encoding)
       : encoding_(&encoding),
-        episodes_(std::make_unique<Episodes>(supply, count)),
+        episodes_(std::make_unique<Episodes>(tasks, count)),
         batch_(value_of(
             EnvironmentBatch::make(count, threads, settings,
                                    [episodes = episodes_.get()](std::size_t environment, std::uint64_t episode) {
@@ -180,12 +180,12 @@ void define_batch(nb::module_& module) {
   nb::class_<SharedBatch>(module, "Batch", "Environments that are stepped together on several threads.")
       .def(
           "__init__",
-          [](SharedBatch* self, std::size_t count, int threads, const EpisodeTasks& supply, const std::string& settings,
+          [](SharedBatch* self, std::size_t count, int threads, const EpisodeTasks& tasks, const std::string& settings,
              const Encoding& encoding) {
             const nb::gil_scoped_release released;
-            new (self) SharedBatch(count, threads, supply, settings_of(settings), encoding);
+            new (self) SharedBatch(count, threads, tasks, settings_of(settings), encoding);
           },
-          "count"_a, "threads"_a, "supply"_a, "settings"_a, "encoding"_a, nb::keep_alive<1, 6>(),
+          "count"_a, "threads"_a, "tasks"_a, "settings"_a, "encoding"_a, nb::keep_alive<1, 6>(),
           "Raises Error for a task that cannot be prepared.")
       .def("__len__", &SharedBatch::size)
       .def(

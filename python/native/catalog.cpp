@@ -80,9 +80,9 @@ nb::dict listing_row(const TaskListing& row) {
   return dict;
 }
 
-nb::list listing(const EpisodeTasks& supply) {
+nb::list listing(const EpisodeTasks& tasks) {
   nb::list rows;
-  if (const auto* source = std::get_if<TaskSource>(&supply.from)) {
+  if (const auto* source = std::get_if<TaskSource>(&tasks.from)) {
     for (const auto& row : source->listing()) rows.append(listing_row(row));
   }
   return rows;
@@ -144,8 +144,8 @@ void define_catalog(nb::module_& module) {
            "new tasks.")
       .def(
           "task_of_episode",
-          [](const EpisodeTasks& supply, std::optional<std::uint64_t> seed, std::uint64_t episode) {
-            return TaskHandle{value_of(supply.task_of_episode(seed, episode))};
+          [](const EpisodeTasks& tasks, std::optional<std::uint64_t> seed, std::uint64_t episode) {
+            return TaskHandle{value_of(tasks.task_of_episode(seed, episode))};
           },
           "seed"_a.none(), "episode"_a, nb::call_guard<nb::gil_scoped_release>(),
           "The task of an episode: in the order of the file, or in the order of a seed. Raises Error when it cannot "
@@ -153,8 +153,8 @@ void define_catalog(nb::module_& module) {
           "made or its files are wrong.")
       .def(
           "task",
-          [](const EpisodeTasks& supply, std::uint64_t number) {
-            return TaskHandle{value_of(supply.task_of_episode(std::nullopt, number))};
+          [](const EpisodeTasks& tasks, std::uint64_t number) {
+            return TaskHandle{value_of(tasks.task_of_episode(std::nullopt, number))};
           },
           "number"_a, nb::call_guard<nb::gil_scoped_release>(),
           "The task at a position of the file, or the new task of a seed.");

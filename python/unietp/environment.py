@@ -73,8 +73,8 @@ class TaskEnv(gymnasium.Env[dict[str, np.ndarray], Any]):
             self._episode += 1
         if self._native is None:
             self._native = _native.Environment(task, self._env_spaces.text, self._env_spaces.encoding)
-            return self._seen(self._native.observe())
-        return self._seen(self._native.reset(task))
+            return self._unpacked(self._native.observe())
+        return self._unpacked(self._native.reset(task))
 
     def step(
         self, action: Any
@@ -86,12 +86,12 @@ class TaskEnv(gymnasium.Env[dict[str, np.ndarray], Any]):
             `reward="progress"`); terminated (by `stop` or too many failures); truncated (by the limit of steps); info
             with "task" and "observation", and at the end "success". After the end nothing happens.
         """
-        native = self._begun()
+        native = self._started()
         if (numbers := numbered(action)) is not None:
             seen, reward, terminated, truncated = native.step_numbers(*numbers)
         else:
             seen, reward, terminated, truncated = native.step(action_bytes(action))
-        observation, info = self._seen(seen)
+        observation, info = self._unpacked(seen)
         if terminated or truncated:
             info["success"] = native.privileged()["success"]
         return observation, reward, terminated, truncated, info
@@ -100,7 +100,7 @@ class TaskEnv(gymnasium.Env[dict[str, np.ndarray], Any]):
         """The picture (uint8, height × width × 3) or the text, as `render_mode` says; None without one."""
         if self.render_mode == "rgb_array":
             height, width, _ = self._env_spaces.image_shape
-            return self._begun().render(width, height)
+            return self._started().render(width, height)
         return self.text() if self.render_mode == "ansi" else None
 
     def close(self) -> None:
@@ -109,38 +109,38 @@ class TaskEnv(gymnasium.Env[dict[str, np.ndarray], Any]):
 
     def observe(self) -> dict[str, Any]:
         """The present observation in the form to read."""
-        return self._seen(self._begun().observe())[1]["observation"]
+        return self._unpacked(self._started().observe())[1]["observation"]
 
     def text(self) -> str:
         """The present observation in words, as a user's turn of a chat. The picture is sent beside it."""
-        return self._begun().text()
+        return self._started().text()
 
     def prompt(self, reasoning: bool = False) -> str:
         """The system prompt of this episode: actions, rules, and what is known of the home. The same as in exports for
         fine-tuning. `reasoning`: asks for a rationale with each answer."""
-        return self._begun().prompt(reasoning)
+        return self._started().prompt(reasoning)
 
     def ids(self) -> list[str]:
         """The id in each row of `things` that is in use; row `n` is the argument `n + 1`."""
-        return self._begun().ids()
+        return self._started().ids()
 
     def snapshot(self) -> Snapshot:
         """The present state, to come back to. Several environments of equal settings may restore it."""
-        return self._begun().snapshot()
+        return self._started().snapshot()
 
     def restore(self, snapshot: Snapshot) -> dict[str, Any]:
         """Goes to a snapshot, with its task. Returns the observation there, in the form to read. Raises Error for a snapshot
         of an environment with other settings."""
         if self._native is None:
             self.reset()
-        self._begun().restore(snapshot)
+        self._started().restore(snapshot)
         return self.observe()
 
     def clone(self) -> "TaskEnv":
         """An independent copy at the same state."""
         other = TaskEnv(self._source, self._env_spaces, render_mode=self.render_mode, privileged=self._privileged)
         other._seed, other._episode = self._seed, self._episode
-        other._native = _native.Environment(self._begun().task, self._env_spaces.text, self._env_spaces.encoding)
+        other._native = _native.Environment(self._started().task, self._env_spaces.text, self._env_spaces.encoding)
         other._native.restore(self.snapshot())
         return other
 
@@ -149,31 +149,31 @@ class TaskEnv(gymnasium.Env[dict[str, np.ndarray], Any]):
     def privileged(self) -> dict[str, Any]:
         """success (would the goal hold if the episode ended now), hopeless, progress, missing, goal, steps, failures,
         ended_by."""
-        return self._begun().privileged()
+        return self._started().privileged()
 
     def executed(self) -> list[dict[str, Any]]:
         """What the last step's actions came to and changed, as in demonstrations/<mode>.jsonl."""
-        return self._begun().executed()
+        return self._started().executed()
 
     def scene(self) -> dict[str, Any]:
         """The scene graph with all relations."""
-        return self._begun().scene()
+        return self._started().scene()
 
     def expert_steps_left(self) -> int | None:
         """Actions of M1 that the expert's plan from here has, `stop` included; None when it finds no plan."""
-        return self._begun().expert_steps_left()
+        return self._started().expert_steps_left()
 
-    def _begun(self) -> _native.Environment:
+    def _started(self) -> _native.Environment:
         if self._native is None:
             raise gymnasium.error.ResetNeeded("call reset first")
         return self._native
 
-    def _seen(self, seen: tuple[dict[str, np.ndarray], dict[str, Any], np.ndarray | None]):
-        arrays, readable, picture = seen
+    def _unpacked(self, result: tuple[dict[str, np.ndarray], dict[str, Any], np.ndarray | None]):
+        arrays, readable, picture = result
         if picture is not None:
             readable["image"] = picture
             arrays["image"] = self._env_spaces.padded(picture)
-        native = self._begun()
+        native = self._started()
         info: dict[str, Any] = {"task": native.task.id, "observation": readable}
         if self._privileged:
             info["privileged"] = native.privileged()

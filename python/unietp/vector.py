@@ -59,7 +59,7 @@ class VectorTaskEnv(VectorEnv[dict[str, np.ndarray], Any, np.ndarray]):
             if isinstance(seed, int):
                 super().reset(seed=seed)
             seeds = [one if one is None else one & MOST_SEED for one in wanted]
-        return self._seen(self._alive().reset(seeds))[:2]
+        return self._unpacked(self._open_batch().reset(seeds))[:2]
 
     def step(
         self, actions: Any
@@ -68,14 +68,14 @@ class VectorTaskEnv(VectorEnv[dict[str, np.ndarray], Any, np.ndarray]):
         "task" (ids) and "success" (bool, of the episodes that are over)."""
         if is_batch(actions):
             boxes = actions.get("box", np.zeros((self.num_envs, 4)))
-            result = self._alive().step_numbers(
+            result = self._open_batch().step_numbers(
                 np.ascontiguousarray(actions["action"], np.int64),
                 np.ascontiguousarray(actions["argument"], np.int64),
                 np.ascontiguousarray(boxes, np.float64),
             )
         else:
-            result = self._alive().step([action_bytes(action) for action in actions])
-        observations, info, rest = self._seen(result)
+            result = self._open_batch().step([action_bytes(action) for action in actions])
+        observations, info, rest = self._unpacked(result)
         rewards, terminated, truncated, success = rest
         ended = (terminated | truncated).astype(bool)
         info |= {"success": success.astype(bool), "_success": ended}
@@ -83,32 +83,32 @@ class VectorTaskEnv(VectorEnv[dict[str, np.ndarray], Any, np.ndarray]):
 
     def observe(self, environment: int) -> dict[str, Any]:
         """The readable observation of one environment, without its picture."""
-        return self._alive().observe(environment)
+        return self._open_batch().observe(environment)
 
     def text(self, environment: int) -> str:
         """The observation of one environment in words."""
-        return self._alive().text(environment)
+        return self._open_batch().text(environment)
 
     def prompt(self, environment: int) -> str:
         """The system prompt of one environment."""
-        return self._alive().prompt(environment)
+        return self._open_batch().prompt(environment)
 
     def ids(self, environment: int) -> list[str]:
         """The id in each row of `things` that is in use by one environment."""
-        return self._alive().ids(environment)
+        return self._open_batch().ids(environment)
 
     def close_extras(self, **_: Any) -> None:
         """Frees the worlds."""
         self._native = None
 
-    def _alive(self) -> _native.Batch:
+    def _open_batch(self) -> _native.Batch:
         if self._native is None:
             raise Error("the environments are closed")
         return self._native
 
-    def _seen(self, result: tuple) -> tuple[dict[str, np.ndarray], dict[str, Any], list[np.ndarray]]:
+    def _unpacked(self, result: tuple) -> tuple[dict[str, np.ndarray], dict[str, Any], list[np.ndarray]]:
         arrays, pictures, *rest = result
         if pictures:
             arrays["image"] = np.stack([self._env_spaces.padded(picture) for picture in pictures])
-        ids = np.array([self._alive().task_id(i) for i in range(self.num_envs)], dtype=object)
+        ids = np.array([self._open_batch().task_id(i) for i in range(self.num_envs)], dtype=object)
         return arrays, {"task": ids, "_task": np.ones(self.num_envs, bool)}, rest

@@ -54,6 +54,10 @@ TEST(WriteInstruction, EveryTemplateOfTheLibraryReadsBackAndItsNeighboursDoNot) 
         for (std::uint64_t draw = 0; draw < 20; ++draw) {
           const auto text = write_instruction(*specification, *knowledge, nouns, {}, Rng(draw));
           ASSERT_TRUE(text) << format(text.error());
+          // No operator by operator, as nobody speaks; "in the dining room" needs a home that has one.
+          if (!source.name.ends_with("-all-in-room")) {
+            EXPECT_EQ(text->text.find(": "), std::string::npos) << text->text;
+          }
           ++written;
           if (draw > 0) continue;
           for (const Formula& wrong : mutations(specification->goal)) {

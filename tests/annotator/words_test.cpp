@@ -9,23 +9,23 @@
 namespace unietp {
 namespace {
 
-bool reads(std::span<const ReadForm> forms, const std::string& words, Predicate predicate) {
+bool reads(std::span<const PredicatePhrase> forms, const std::string& words, Predicate predicate) {
   return std::any_of(forms.begin(), forms.end(),
-                     [&](const ReadForm& form) { return form.words == words && form.predicate == predicate; });
+                     [&](const PredicatePhrase& form) { return form.words == words && form.predicate == predicate; });
 }
 
 TEST(Words, EveryWrittenStateAndRelationIsReadAsWhatItSays) {
   for (const PredicateInfo& row : all_predicates()) {
     const std::string state = state_word(row.predicate), preposition = before_object(row.predicate);
-    EXPECT_TRUE(state.empty() || reads(state_forms(), state, row.predicate)) << row.name;
+    EXPECT_TRUE(state.empty() || reads(state_phrases(), state, row.predicate)) << row.name;
     // "in the kitchen" is read as inside, and the room makes it in_room.
     const Predicate read = row.predicate == Predicate::InRoom ? Predicate::Inside : row.predicate;
-    EXPECT_TRUE(preposition.empty() || reads(preposition_forms(), preposition, read)) << row.name;
+    EXPECT_TRUE(preposition.empty() || reads(preposition_phrases(), preposition, read)) << row.name;
   }
 }
 
 TEST(Words, OfFormsThatBeginAlikeTheLongerIsTriedFirst) {
-  for (const auto forms : {state_forms(), preposition_forms(), symbol_forms(), verb_forms()}) {
+  for (const auto forms : {state_phrases(), preposition_phrases(), symbol_phrases(), verb_phrases()}) {
     ASSERT_FALSE(forms.empty());
     for (std::size_t i = 0; i < forms.size(); ++i) {
       for (std::size_t k = i + 1; k < forms.size(); ++k)
@@ -35,12 +35,14 @@ TEST(Words, OfFormsThatBeginAlikeTheLongerIsTriedFirst) {
 }
 
 TEST(Words, AVerbMayHaveWordsAfterItsObject) {
-  const auto verbs = verb_forms();
-  const auto cut = std::find_if(verbs.begin(), verbs.end(), [](const ReadForm& verb) { return verb.words == "cut"; });
+  const auto verbs = verb_phrases();
+  const auto cut =
+      std::find_if(verbs.begin(), verbs.end(), [](const PredicatePhrase& verb) { return verb.words == "cut"; });
   ASSERT_NE(cut, verbs.end());
   EXPECT_EQ(cut->after, "into slices");
   EXPECT_FALSE(cut->optional);
-  const auto heat = std::find_if(verbs.begin(), verbs.end(), [](const ReadForm& verb) { return verb.words == "heat"; });
+  const auto heat =
+      std::find_if(verbs.begin(), verbs.end(), [](const PredicatePhrase& verb) { return verb.words == "heat"; });
   ASSERT_NE(heat, verbs.end());
   EXPECT_EQ(heat->after, "up");
   EXPECT_TRUE(heat->optional);

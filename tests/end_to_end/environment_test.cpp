@@ -81,7 +81,7 @@ TEST(EnvironmentsOfADataSet, GiveForEachDemonstrationWhatItsFileSays) {
       for (const StepRecord& step : shown->steps) {
         std::vector<VisibleObject> seen;
         if (environment.observe().boxes) {
-          for (const SeenObject& object : *environment.observe().boxes) seen.push_back({object.id, object.box});
+          for (const ObservedObject& object : *environment.observe().boxes) seen.push_back({object.id, object.box});
         } else {
           seen = environment.pictured();
         }
@@ -212,7 +212,7 @@ TEST(EnvironmentsOfADataSet, NeverFailAnAgentWithoutAPlanNorTellItWhatItsModeMus
     std::vector<Delta> changes;
     for (const std::string& word : words_of(environment.prompt())) told.insert(word);
     while (!environment.over()) {
-      for (const SeenObject& object : environment.observe().boxes.value_or(std::vector<SeenObject>()))
+      for (const ObservedObject& object : environment.observe().boxes.value_or(std::vector<ObservedObject>()))
         told.insert(object.id);
       const StepResult step = environment.step(agent.answer(environment));
       for (const ExecutedAction& one : step.executed) changes.push_back(one.changes);
@@ -221,7 +221,7 @@ TEST(EnvironmentsOfADataSet, NeverFailAnAgentWithoutAPlanNorTellItWhatItsModeMus
       ASSERT_EQ(environment.privileged().success, holds_now);
       successes += holds_now;
       if (mode == Mode::M1) continue;
-      for (const SeenObject& object : step.observation.boxes.value_or(std::vector<SeenObject>()))
+      for (const ObservedObject& object : step.observation.boxes.value_or(std::vector<ObservedObject>()))
         told.insert(object.id);
       const auto words = words_of(all_told(environment, step));
       for (const Node& node : environment.scene().nodes) {

@@ -1,8 +1,10 @@
 // Whatever happens to a command that writes, what was there before is there afterwards, or the new, whole.
+#include <signal.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -76,6 +78,40 @@ TEST_P(KilledAtRandom, LosesNothing) {
       ++kills;
   }
   EXPECT_EQ(kills, kKills);
+}
+
+/// Interrupts the command after so many changes to files. Whether it was still running.
+bool ends_in_time(const WritingCommand& command, const Undisturbed& known, int signal, int changes) {
+  using Clock = std::chrono::steady_clock;
+  SCOPED_TRACE(command.name + ", interrupted after " + std::to_string(changes) + " of " +
+               std::to_string(known.changes));
+  const Workbench bench;
+  FileWatch watch(bench.path());
+  RunningProgram program("/bin/sh", bench.words(command), bench.path());
+  while (program.running() && watch.count() < changes) continue;
+  const bool running = program.running();
+  program.send(signal);
+  const auto sent = Clock::now();
+  const auto ended = program.wait();
+  EXPECT_LT(Clock::now() - sent, std::chrono::seconds(2));
+  EXPECT_TRUE(ended.code == 130 || ended.code == 0) << ended.code << ended.err;  // 0: it was about to end
+  if (ended.code == 0) {
+    EXPECT_EQ(bench.files(command.makes), known.after);
+  }
+  expect_old_or_new(bench, command, known);
+  return running;
+}
+
+TEST_P(KilledAtRandom, EndsWithinTwoSecondsOfASignal) {
+  const WritingCommand& command = GetParam();
+  const auto known = undisturbed(command);
+  Rng rng(static_cast<std::uint64_t>(known.changes) + 1);
+  int interrupted = 0;
+  for (int runs = 0; interrupted < 2 && runs < 20 && !HasFailure(); ++runs) {
+    const int changes = 1 + static_cast<int>(rng.below(static_cast<std::uint64_t>(known.changes)));
+    if (ends_in_time(command, known, interrupted == 0 ? SIGTERM : SIGINT, changes)) ++interrupted;
+  }
+  EXPECT_EQ(interrupted, 2);
 }
 
 std::string case_name(const ::testing::TestParamInfo<WritingCommand>& one) {

@@ -18,12 +18,12 @@ std::string RandomAgent::argument(const Environment& environment, bool may_be_ro
     return Json{{"bbox", rng_.pick(shown).box}}.dump();
   }
   std::vector<std::string> ids;
-  for (const SeenObject& object : seen.boxes.value_or(std::vector<SeenObject>())) ids.push_back(object.id);
+  for (const ObservedObject& object : seen.boxes.value_or(std::vector<ObservedObject>())) ids.push_back(object.id);
   if (ids.empty() || rng_.chance(0.3)) {
-    for (const NamedThing& thing : seen.home->furniture) ids.push_back(thing.id);
+    for (const NamedEntity& thing : seen.home->furniture) ids.push_back(thing.id);
   }
   if (rng_.chance(0.1)) {
-    for (const NamedThing& thing : seen.home->movables) ids.push_back(thing.id);
+    for (const NamedEntity& thing : seen.home->movables) ids.push_back(thing.id);
   }
   return ids.empty() ? R"("nothing_1")" : Json(rng_.pick(ids)).dump();
 }

@@ -97,7 +97,7 @@ TEST(WhatAnAgentIsTold, ComesByRoomOnRequest) {
   ASSERT_EQ(home.by_room.size(), 2U);
   std::size_t furniture = 0, movables = 0;
   for (const RoomContents& room : home.by_room) {
-    for (const NamedThing& thing : room.furniture)
+    for (const NamedEntity& thing : room.furniture)
       EXPECT_TRUE(has_edge(environment.scene(), Predicate::InRoom, thing.id, room.room.id)) << thing.id;
     furniture += room.furniture.size();
     movables += room.movables.size();
@@ -230,7 +230,7 @@ TEST(AnEpisodeUnderSettings, HasPicturesAndBoxesInTheSizeThatWasAskedFor) {
   EXPECT_EQ(picture.height, 200);
   EXPECT_EQ(picture.rgb.size(), 300U * 200 * 3);
   ASSERT_FALSE(environment.observe().boxes->empty());
-  for (const SeenObject& object : *environment.observe().boxes) {
+  for (const ObservedObject& object : *environment.observe().boxes) {
     EXPECT_LT(object.box[2], 300);
     EXPECT_LT(object.box[3], 200);
   }

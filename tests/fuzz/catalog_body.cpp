@@ -24,8 +24,10 @@ void write_lists(const Folder& folder) {
   folder.write("behavior/no_homes.csv", "scene,why\ngrocery,shop\n");
   folder.write("behavior/kinds.csv", "kind,like,rooms\nherb,,kitchen\n");
   folder.write("behavior/words.csv", "name,display,plural,kind,archetype,movable,rooms\nmug,mug,,cup,cylinder,,\n");
-  folder.write("behavior/forms.csv", "pattern,display,kind,archetype,materials\nhalf__*,half *,slice,box,\n");
-  folder.write("behavior/contents.csv", "ends,kind\nbeer,cup\n");
+  folder.write("behavior/forms.csv", "pattern,display,kind,archetype,colours,materials\nhalf__*,half *,slice,box,,\n");
+  folder.write("behavior/contents.csv", "ends,kind,materials\nbeer,cup,\n");
+  folder.write("behavior/denied.csv", "affordance,categories,reason\n");
+  folder.write("behavior/masses.csv", "name,mass\n");
 }
 
 }  // namespace

@@ -3,10 +3,10 @@
 #include "../annotator/small_knowledge.h"
 #include "bodies.h"
 #include "fuzz_bodies.h"
+#include "grounding/furniture_position.h"
 #include "grounding/layout_library.h"
 #include "grounding/recipe.h"
 #include "grounding/scene_statistics.h"
-#include "grounding/where.h"
 #include "simulation/profile.h"
 #include "support.h"
 
@@ -56,7 +56,7 @@ bool recipe_body(std::string_view text) {
   for (const FurnitureRule& rule : recipe->furniture) {
     require(knowledge.find(rule.category) != nullptr);
     require(rule.at_least >= 0 && rule.mean >= rule.at_least && rule.at_most >= rule.mean);
-    const auto where = parse_where(rule.where);
+    const auto where = parse_furniture_position(rule.where);
     require(where.has_value());
     require(!where->height_m || (*where->height_m >= 0 && *where->height_m <= 2.5));
   }

@@ -8,7 +8,7 @@
 #include "core/text.h"
 #include "dataset/configuration.h"
 #include "fuzz_bodies.h"
-#include "grounding/where.h"
+#include "grounding/furniture_position.h"
 #include "llm/ask.h"
 #include "run/given_binding.h"
 #include "support.h"
@@ -54,7 +54,7 @@ bool fact_body(std::string_view text) {
 }
 
 bool place_body(std::string_view text) {
-  const auto where = parse_where(text);
+  const auto where = parse_furniture_position(text);
   require(!where || !where->height_m || (*where->height_m >= 0 && *where->height_m <= 2.5));
   return where.has_value();
 }

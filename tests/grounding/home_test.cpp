@@ -152,7 +152,7 @@ TEST(Home, AWorkspaceThatIsEditedAndReadAgainAndAgainShowsWhatAWholeReadingGives
       scene.edges = start_in(home.scene, workspace.changes()).edges;
       EXPECT_EQ(workspace.changes(), changes_of(home.scene, scene));
       ASSERT_EQ(texts(scene.edges), texts(read_relations(scene)));
-      expect_shows(workspace.present().now(), scene, before);
+      expect_shows(workspace.current_state().now(), scene, before);
       expect_places(workspace.places(), scene);
       for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
         const Room* room = workspace.room_of(i);

@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "grounding/floor_plan.h"
+#include "grounding/furniture_position.h"
 #include "grounding/reachability.h"
-#include "grounding/where.h"
 #include "homes.h"
 #include "scene/node_index.h"
 #include "scene/scene_json.h"
@@ -145,7 +145,7 @@ TEST_P(EveryHome, HasRoomAboveWhatHeatsOrFillsAThingThatIsPutOnIt) {
 TEST_P(EveryHome, HasWindowsOnlyInWallsWithNoRoomBehind) {
   std::set<std::string> outer;
   for (const FurnitureRule& rule : style_->recipe.furniture) {
-    if (parse_where(rule.where)->kind == Where::Kind::OuterWall) outer.insert(rule.category);
+    if (parse_furniture_position(rule.where)->kind == FurniturePosition::Kind::OuterWall) outer.insert(rule.category);
   }
   int windows = 0;
   for (const Scene& home : homes_) {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/files.h"
-#include "grounding/where.h"
+#include "grounding/furniture_position.h"
 #include "homes.h"
 
 namespace unietp {
@@ -17,7 +17,8 @@ TEST(LoadRecipe, ReadsTheCommittedRecipesOfAllSimulators) {
     EXPECT_GE(style->recipe.furniture.size(), 60u);
     EXPECT_GE(style->recipe.objects.size(), 60u);
     EXPECT_GT(style->recipe.unseen_share, 0);
-    for (const FurnitureRule& rule : style->recipe.furniture) EXPECT_TRUE(parse_where(rule.where)) << rule.where;
+    for (const FurnitureRule& rule : style->recipe.furniture)
+      EXPECT_TRUE(parse_furniture_position(rule.where)) << rule.where;
   }
 }
 
@@ -90,16 +91,16 @@ TEST_F(BadRecipe, IsReportedWithLineColumnAndWhatIsAccepted) {
 }
 
 TEST(ParseWhere, ReadsHostsAndHeights) {
-  const auto above = parse_where("above:Sink:0.4");
+  const auto above = parse_furniture_position("above:Sink:0.4");
   ASSERT_TRUE(above);
-  EXPECT_EQ(above->kind, Where::Kind::Above);
+  EXPECT_EQ(above->kind, FurniturePosition::Kind::Above);
   EXPECT_EQ(above->host, "Sink");
   EXPECT_EQ(above->height_m, 0.4);
-  EXPECT_EQ(parse_where("wall-hung")->height_m, std::nullopt);
-  EXPECT_EQ(parse_where("outer-wall:0.2")->height_m, 0.2);
+  EXPECT_EQ(parse_furniture_position("wall-hung")->height_m, std::nullopt);
+  EXPECT_EQ(parse_furniture_position("outer-wall:0.2")->height_m, 0.2);
   for (const char* bad :
        {"", "on", "on:", "wall:2", "at:Desk:1", "before:Sofa:1", "wall-hung:high", "wall-hung:9", "above:Sink:1:2"}) {
-    EXPECT_FALSE(parse_where(bad)) << bad;
+    EXPECT_FALSE(parse_furniture_position(bad)) << bad;
   }
 }
 

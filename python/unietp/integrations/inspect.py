@@ -46,15 +46,15 @@ def act(env: unietp.TaskEnv) -> Tool:
         Returns:
             What became of it, and what is in view.
         """
-        say(env, {"action": action, "args": [argument] if argument else []})
+        execute_action(env, {"action": action, "args": [argument] if argument else []})
         return env.text()
 
     return execute
 
 
-def say(env: unietp.TaskEnv, said: Any) -> None:
+def execute_action(env: unietp.TaskEnv, action: Any) -> None:
     """Executes it, and keeps the verdict when the episode is over."""
-    _, _, terminated, truncated, info = env.step(said)
+    _, _, terminated, truncated, info = env.step(action)
     if terminated or truncated:
         store().set("success", info["success"])
 
@@ -74,7 +74,7 @@ def play(dataset: str, mode: str, settings: dict[str, Any]) -> Solver:
             if state.output.message.tool_calls:
                 state.messages.extend((await execute_tools(state.messages, state.tools)).messages)
             else:
-                say(env, state.output.completion)
+                execute_action(env, state.output.completion)
                 state.messages.append(ChatMessageUser(content=env.text()))
         env.close()
         return state

@@ -67,13 +67,13 @@ class UnietpEnvironment(Environment[UnietpAction, UnietpObservation, UnietpState
         options = {"task": task} if task is not None else {"index": index} if index is not None else None
         _, info = self._env.reset(seed=seed, options=options)
         self._state = UnietpState(episode_id=episode_id, task=info["task"])
-        return self._told(info, prompt=self._env.prompt())
+        return self._observation(info, prompt=self._env.prompt())
 
     def step(self, action: UnietpAction, timeout_s: float | None = None, **_: Any) -> UnietpObservation:
         _, reward, terminated, truncated, info = self._env.step(action.action)
         self._state.step_count = info["observation"]["step"]
         self._state.success = info.get("success")
-        return self._told(info, reward=float(reward), done=terminated or truncated)
+        return self._observation(info, reward=float(reward), done=terminated or truncated)
 
     @property
     def state(self) -> UnietpState:
@@ -100,7 +100,7 @@ class UnietpEnvironment(Environment[UnietpAction, UnietpObservation, UnietpState
     def get_task_range(self, split: str, start: int | None = None, stop: int | None = None) -> list[dict[str, Any]]:
         return [self.get_task(split, index) for index in range(len(self._tasks))[start:stop]]
 
-    def _told(self, info: dict[str, Any], **more: Any) -> UnietpObservation:
+    def _observation(self, info: dict[str, Any], **more: Any) -> UnietpObservation:
         fields = dict(info["observation"])
         picture = fields.pop("image", None)
         return UnietpObservation(

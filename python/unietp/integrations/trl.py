@@ -42,8 +42,8 @@ class UnietpEnvironment:
         """
         if self._over:
             return "The episode is over."
-        said = {"action": action, "args": [argument] if argument else []}
-        _, reward, terminated, truncated, _ = self._env.step(said)
+        command = {"action": action, "args": [argument] if argument else []}
+        _, reward, terminated, truncated, _ = self._env.step(command)
         self._reward += float(reward)
         self._over = terminated or truncated
         return "The episode is over." if self._over else self._env.text()

@@ -1,4 +1,4 @@
-#include "grounding/present.h"
+#include "grounding/current_state.h"
 
 #include <algorithm>
 #include <utility>
@@ -17,16 +17,17 @@ std::vector<Edge> edges_of_agent(const Scene& scene) {
 
 }  // namespace
 
-Present::Present(const Home& home) : home_(&home), reader_(home.reader), trace_(home.now), agent_(home.scene.agent) {}
+CurrentState::CurrentState(const Home& home)
+    : home_(&home), reader_(home.reader), trace_(home.now), agent_(home.scene.agent) {}
 
-void Present::touch(const std::string& id, const Bounds& bounds) {
+void CurrentState::touch(const std::string& id, const Bounds& bounds) {
   touched_.push_back(id);
   bounds_.push_back(bounds);
 }
 
-void Present::touch(const std::string& id) { restated_.push_back(id); }
+void CurrentState::touch(const std::string& id) { restated_.push_back(id); }
 
-std::vector<Edge> Present::edges_from(std::string_view id) const {
+std::vector<Edge> CurrentState::edges_from(std::string_view id) const {
   std::vector<Edge> edges;
   const auto entity = reader_.find(id);
   if (!entity) return edges;
@@ -36,7 +37,7 @@ std::vector<Edge> Present::edges_from(std::string_view id) const {
   return edges;
 }
 
-void Present::read(const Scene& scene, const NodeIndex& places, const PhysicsWorld& physics) {
+void CurrentState::read(const Scene& scene, const NodeIndex& places, const PhysicsWorld& physics) {
   if (touched_.empty() && restated_.empty() && scene.agent == agent_) return;
   sort_unique(touched_);
   Delta change;
@@ -84,7 +85,7 @@ void Present::read(const Scene& scene, const NodeIndex& places, const PhysicsWor
   bounds_.clear();
 }
 
-void Present::note(const EdgeChange& edges) {
+void CurrentState::note(const EdgeChange& edges) {
   for (const Edge& edge : edges.removed) {
     if (added_.erase(edge) == 0) removed_.insert(edge);
   }
@@ -93,6 +94,8 @@ void Present::note(const EdgeChange& edges) {
   }
 }
 
-EdgeChange Present::since_home() const { return {{added_.begin(), added_.end()}, {removed_.begin(), removed_.end()}}; }
+EdgeChange CurrentState::since_home() const {
+  return {{added_.begin(), added_.end()}, {removed_.begin(), removed_.end()}};
+}
 
 }  // namespace unietp

@@ -1,8 +1,8 @@
-#include "sense/deeds.h"
+#include "sense/action_roles.h"
 
 namespace unietp {
 
-std::string_view deed_of(Predicate predicate) {
+std::string_view action_of(Predicate predicate) {
   using enum Predicate;
   switch (predicate) {
     case Open:

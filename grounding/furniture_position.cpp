@@ -1,4 +1,4 @@
-#include "grounding/where.h"
+#include "grounding/furniture_position.h"
 
 #include <array>
 #include <charconv>
@@ -10,7 +10,7 @@ namespace unietp {
 namespace {
 
 constexpr double kHighest_m = 2.5;
-using Kind = Where::Kind;
+using Kind = FurniturePosition::Kind;
 constexpr std::array<std::pair<std::string_view, Kind>, 11> kKinds{{{"wall", Kind::Wall},
                                                                     {"corner", Kind::Corner},
                                                                     {"centre", Kind::Centre},
@@ -30,11 +30,11 @@ bool takes_height(Kind kind) { return kind == Kind::WallHung || kind == Kind::Ou
 
 }  // namespace
 
-std::optional<Where> parse_where(std::string_view text) {
+std::optional<FurniturePosition> parse_furniture_position(std::string_view text) {
   const auto parts = split(text, ':');
-  std::optional<Where> where;
+  std::optional<FurniturePosition> where;
   for (const auto& [name, kind] : kKinds) {
-    if (parts.front() == name) where = Where{kind, "", std::nullopt};
+    if (parts.front() == name) where = FurniturePosition{kind, "", std::nullopt};
   }
   if (!where) return std::nullopt;
   std::size_t used = 1;

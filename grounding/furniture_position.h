@@ -7,7 +7,7 @@
 namespace unietp {
 
 /// Where a piece of furniture goes; the text form of FurnitureRule::where.
-struct Where {
+struct FurniturePosition {
   enum class Kind {
     Wall,       // back to a wall
     Corner,     // back to a wall, side to another
@@ -26,6 +26,6 @@ struct Where {
   std::optional<double> height_m;  // of WallHung, OuterWall and Above
 };
 /// nullopt when the text is none of these.
-std::optional<Where> parse_where(std::string_view text);
+std::optional<FurniturePosition> parse_furniture_position(std::string_view text);
 
 }  // namespace unietp

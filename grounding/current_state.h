@@ -17,10 +17,10 @@ namespace unietp {
 /// What physics and the logic show of a scene that grew out of a home, kept up to date at the cost of what changed
 /// since it was last read; without comparisons (`nearest`, `size`). Relations are kept as facts; the scene's own edges
 /// are not looked at.
-class Present {
+class CurrentState {
  public:
   /// Of the home as it is, which must outlive it.
-  explicit Present(const Home& home);
+  explicit CurrentState(const Home& home);
 
   /// A node came, went or changed; `bounds`: of its body before, or now.
   void touch(const std::string& id, const Bounds& bounds);

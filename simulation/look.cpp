@@ -1,0 +1,58 @@
+#include <algorithm>
+#include <string_view>
+
+#include "simulation/finish.h"
+#include "simulation/noise.h"
+
+namespace unietp {
+namespace {
+
+bool is_window(const Node& node) {
+  if (node.archetype != Archetype::Panel) return false;
+  return node.category.find("indow") != std::string::npos && node.category.find("sill") == std::string::npos;
+}
+
+}  // namespace
+
+Look look_of(const Node& node) {
+  Look look;
+  const StateSet& states = node.states;
+  look.base = paint_of(node);
+  look.matter = matter_of(node);
+  look.device = device_of(node);
+  look.seed = number_of(node.id);
+  look.half = node.size / 2;
+  constexpr double kStains = 4, kLeast_m = 0.06, kMost_m = 0.9;  // stains across an object
+  look.grain = kStains / std::clamp(node.size.maxCoeff(), kLeast_m, kMost_m);
+  look.on = states.has(Predicate::PowerOn);
+  look.dirty = states.has(Predicate::Dirty);
+  look.soaked = states.has(Predicate::Soaked);
+  look.hot = states.has(Predicate::Hot);
+  look.cool = states.has(Predicate::Cool);
+  look.cooked = states.has(Predicate::Cooked);
+  look.burnt = states.has(Predicate::Burnt);
+  look.frozen = states.has(Predicate::Frozen);
+  look.cut = states.has(Predicate::Sliced) || !node.slice_of.empty();
+  look.used_up = states.has(Predicate::UsedUp);
+  look.broken = states.has(Predicate::Broken);
+  look.folded = states.has(Predicate::Folded);
+  look.unfolded = states.has(Predicate::Unfolded);
+  look.folds_up = node.archetype == Archetype::Folding;
+  look.window = is_window(node);
+  for (const State& state : states.all()) {
+    if (state.predicate == Predicate::Covered) look.cover = substance_paint(state.symbol);
+    if (state.predicate != Predicate::Filled) continue;
+    constexpr double kFull = 0.72;
+    look.level = kFull;
+    look.filling = substance_paint(state.symbol);
+  }
+  return look;
+}
+
+Colour shown_filling(const Look& look) {
+  constexpr double kNear = 85;
+  if ((look.filling - look.base).cwiseAbs().maxCoeff() > kNear) return look.filling;
+  return look.base.maxCoeff() < 128 ? mixed(look.filling, {236, 196, 150}, 0.45) : Colour(look.filling * 0.6);
+}
+
+}  // namespace unietp

@@ -1,0 +1,124 @@
+#include "simulation/state_solids.h"
+
+#include <algorithm>
+#include <string>
+
+#include "simulation/finish.h"
+#include "simulation/shape.h"
+
+namespace unietp {
+namespace {
+
+/// Collects solids in an object's frame.
+class Extras {
+ public:
+  Extras(const Node& node, std::int32_t owner, std::vector<Solid>& solids)
+      : half(node.size / 2), node_(node), owner_(owner), solids_(solids) {}
+
+  void add(Part::Kind kind, const Vec3& centre, const Vec3& size, Skin skin) {
+    solids_.push_back({kind, node_.pose * Pose{centre, Quat::Identity()}, size, owner_, false, skin});
+  }
+  void box(const Vec3& centre, const Vec3& size, Skin skin) { add(Part::Kind::Box, centre, size, skin); }
+  void pillar(const Vec3& top, double length, double wide, Skin skin) {
+    add(Part::Kind::Cylinder, top - Vec3(0, 0, length / 2), {wide, wide, length}, skin);
+  }
+  const Vec3 half;
+
+ private:
+  const Node& node_;
+  std::int32_t owner_;
+  std::vector<Solid>& solids_;
+};
+
+void add_liquid(const Shape& shape, double level, bool round, Extras& extras) {
+  for (const Cavity& cavity : shape.cavities) {
+    if (!cavity.open_above || cavity.joint >= 0) continue;
+    const Vec3 size(2 * cavity.half.x(), 2 * cavity.half.y(), 2 * level * cavity.half.z());
+    const Vec3 centre = cavity.centre - Vec3(0, 0, cavity.half.z() * (1 - level));
+    constexpr double kRound = 1.02;  // of the hollow's width: up to the round wall
+    const double wide = kRound * std::min(size.x(), size.y());
+    if (round) {
+      extras.add(Part::Kind::Cylinder, centre, {wide, wide, size.z()}, Skin::Liquid);
+    } else {
+      extras.box(centre, size, Skin::Liquid);
+    }
+  }
+}
+
+/// From a spout, in front of a tap, or as a rain below a shower head.
+void add_water(const Node& node, const Shape& shape, Extras& extras) {
+  const Vec3& h = extras.half;
+  if (!shape.cavities.empty()) {
+    const Cavity& bowl = shape.cavities.front();
+    constexpr double kSpout_m = 0.22, kPipe_m = 0.03;
+    const Vec3 foot(0, bowl.centre.y() + 0.8 * bowl.half.y(), h.z());
+    const double reach = 0.8 * bowl.half.y();
+    extras.pillar(foot + Vec3(0, 0, kSpout_m), kSpout_m, kPipe_m, Skin::Socket);
+    extras.box(foot + Vec3(0, -reach / 2, kSpout_m), {kPipe_m, reach + kPipe_m, kPipe_m}, Skin::Socket);
+    extras.pillar(foot + Vec3(0, -reach, kSpout_m), kSpout_m + 1.8 * bowl.half.z(), kPipe_m, Skin::Water);
+    return;
+  }
+  if (node.category.find("hower") != std::string::npos) {
+    constexpr double kFall_m = 0.8;
+    for (int i = 0; i < 9; ++i)
+      extras.pillar({(i % 3 - 1) * 0.6 * h.x(), (i / 3 - 1) * 0.6 * h.y(), -h.z()}, kFall_m, 0.012, Skin::Water);
+    return;
+  }
+  const double wide = std::clamp(0.3 * h.x(), 0.014, 0.05);
+  extras.pillar({0, -h.y() - wide / 2, 0.6 * h.z()}, 1.6 * h.z(), wide, Skin::Water);
+}
+
+void add_plug(bool in, Extras& extras) {
+  const Vec3& h = extras.half;
+  const double plug = std::clamp(0.12 * h.maxCoeff(), 0.035, 0.08), cord = 0.4 * plug;
+  const double away = std::clamp(0.35 * h.maxCoeff(), 0.05, 0.18), z = -h.z() + plug;
+  const Vec3 root(h.x(), -h.y() / 2, z);
+  extras.box(root + Vec3(away / 2, 0, 0), {away, cord, cord}, Skin::Cord);
+  if (in) {
+    extras.box(root + Vec3(away + plug / 2, 0, 0), {plug, plug, plug}, Skin::Plug);
+    extras.box(root + Vec3(away + plug, 0, plug / 2), {0.012, 3.2 * plug, 3.2 * plug}, Skin::Socket);
+    return;
+  }
+  const double length = h.y() / 2 + away;  // the cord turns to the front and lies there
+  extras.box(root + Vec3(away, -length / 2, -plug / 2), {cord, length, cord}, Skin::Cord);
+  const Vec3 end = root + Vec3(away, -length, -plug / 2);
+  extras.box(end - Vec3(0, plug / 2, 0), {1.4 * plug, plug, plug}, Skin::Plug);
+  for (const double side : {-0.35 * plug, 0.35 * plug})
+    extras.box(end + Vec3(side, -1.5 * plug, 0), {0.2 * plug, plug, 0.2 * plug}, Skin::Socket);
+}
+
+void add_flame(Extras& extras) {
+  const double wide = std::clamp(extras.half.head<2>().minCoeff(), 0.012, 0.05);
+  const double top = extras.half.z();
+  extras.add(Part::Kind::Sphere, {0, 0, top + wide / 2}, Vec3::Constant(wide), Skin::Flame);
+  extras.add(Part::Kind::Sphere, {0, 0, top + 1.15 * wide}, Vec3::Constant(0.7 * wide), Skin::Flame);
+  extras.add(Part::Kind::Sphere, {0, 0, top + 1.6 * wide}, Vec3::Constant(0.4 * wide), Skin::Flame);
+}
+
+/// A dark mouth above, or in front of what is higher than it is wide, and the flap that was over it.
+void add_mouth(Extras& extras) {
+  const Vec3& h = extras.half;
+  const double thin = std::clamp(0.04 * h.minCoeff(), 0.001, 0.01);
+  extras.box({0, 0, h.z()}, {1.7 * h.x(), 1.7 * h.y(), 2 * thin}, Skin::Mouth);
+  extras.box({0, h.y(), h.z() + 0.8 * h.y()}, {1.9 * h.x(), 3 * thin, 1.6 * h.y()}, Skin::Flap);
+}
+
+}  // namespace
+
+void add_state_solids(const Node& node, std::int32_t owner, bool round, std::vector<Solid>& solids) {
+  const Look look = look_of(node);
+  const bool taps = look.on && look.device == Device::Tap, open = node.states.has(Predicate::Open);
+  if (look.level <= 0 && !taps && !open && !look.on && !node.states.has(Predicate::PluggedIn) &&
+      !node.states.has(Predicate::Unplugged))
+    return;
+  Extras extras(node, owner, solids);
+  const Shape shape = shape_of(node);
+  if (look.level > 0) add_liquid(shape, look.level, round, extras);
+  if (taps) add_water(node, shape, extras);
+  if (look.on && look.device == Device::Flame) add_flame(extras);
+  if (open && shape.joints.empty()) add_mouth(extras);
+  if (node.states.has(Predicate::PluggedIn)) add_plug(true, extras);
+  if (node.states.has(Predicate::Unplugged)) add_plug(false, extras);
+}
+
+}  // namespace unietp

@@ -1,0 +1,218 @@
+// Every state that a goal can name changes the picture of an object of every archetype.
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "simulation/picture.h"
+
+namespace unietp {
+namespace {
+
+/// Mean difference between two pictures over the pixels that show the object in one of them, of 255.
+constexpr double kLeastContrast = 9;
+/// Of plugs and of small parts of devices: at least this many of 200 x 200 pixels differ by at least that much.
+constexpr int kLeastPixels = 100;
+constexpr double kClearly = 24;
+
+Profile profile_for(int pixels) {
+  Profile profile = *load_profile(UNIETP_SOURCE_DIR "/data/simulators", Simulator::Ai2thor);
+  profile.image_width = profile.image_height = pixels;
+  return profile;
+}
+
+/// A room of 6 x 6 m with an agent that looks down at (3, 3).
+Scene empty_room() {
+  Scene scene;
+  scene.rooms.push_back({"living_room_1", "living_room", {{0, 0}, {6, 0}, {6, 6}, {0, 6}}});
+  return scene;
+}
+
+Node thing(Archetype archetype, const Vec3& size) {
+  Node node;
+  node.id = "thing_1";
+  node.category = "thing";
+  node.archetype = archetype;
+  node.movable = size.maxCoeff() < 0.5;
+  node.size = size;
+  node.colour = "white";
+  const double low = size.maxCoeff() < 0.5 ? 1.0 : 0.0;
+  node.pose = upright(Vec3(3, 3, low + size.z() / 2), 0);
+  return node;
+}
+
+/// At arm's length from the front, a little to the right.
+Scene before(const Scene& room, const Node* node, const Profile& profile, const Vec3& middle, double reach) {
+  Scene scene = room;
+  if (node != nullptr) scene.nodes.push_back(*node);
+  const double away = 0.35 + 1.5 * reach;
+  scene.agent.position = {middle.x() + 0.35 * away, middle.y() - away};
+  const Vec3 way = middle - Vec3(scene.agent.position.x(), scene.agent.position.y(), profile.camera_height_m);
+  scene.agent.yaw = std::atan2(way.y(), way.x());
+  scene.agent.pitch = std::atan2(-way.z(), way.head<2>().norm());
+  return scene;
+}
+
+Picture look(const Node* node, const Node& framed, const Profile& profile) {
+  Rays rays;
+  const double reach = framed.size.maxCoeff() / 2;
+  return picture_of(before(empty_room(), node, profile, framed.pose.position, reach), profile, rays);
+}
+
+struct Contrast {
+  double mean = 0;       // over the pixels that show the object, of 255
+  int clear_pixels = 0;  // differ by at least kClearly
+};
+
+Contrast contrast(const Node& a, const Node& b, const Profile& profile) {
+  const Picture none = look(nullptr, a, profile), one = look(&a, a, profile), other = look(&b, a, profile);
+  Contrast contrast;
+  int pixels = 0;
+  for (std::size_t i = 0; i < none.rgb.size(); i += 3) {
+    double apart = 0;
+    bool shown = false;
+    for (std::size_t c = i; c < i + 3; ++c) {
+      shown = shown || one.rgb[c] != none.rgb[c] || other.rgb[c] != none.rgb[c];
+      apart += std::abs(one.rgb[c] - other.rgb[c]) / 3.0;
+    }
+    contrast.mean += apart;
+    contrast.clear_pixels += apart >= kClearly ? 1 : 0;
+    pixels += shown ? 1 : 0;
+  }
+  contrast.mean /= std::max(1, pixels);
+  return contrast;
+}
+
+struct Pair {
+  State with, without;
+};
+
+/// Each state of a group beside the group's default, and what has a symbol.
+std::vector<Pair> pairs() {
+  std::vector<Pair> pairs;
+  for (const StateGroup& group : state_groups()) {
+    for (std::size_t i = 1; i < group.predicates.size(); ++i) {
+      if (group.predicates[i] != Predicate::Filled)
+        pairs.push_back({{group.predicates[i], ""}, {group.predicates.front(), ""}});
+    }
+  }
+  for (const char* liquid : {"water", "coffee", "wine"})
+    pairs.push_back({{Predicate::Filled, liquid}, {Predicate::Empty, ""}});
+  for (const char* cover : {"dust", "flour", "jam"})
+    pairs.push_back({{Predicate::Covered, cover}, {Predicate::Dry, ""}});
+  return pairs;
+}
+
+class VisibleState : public ::testing::TestWithParam<Archetype> {};
+
+TEST_P(VisibleState, ChangesThePictureAtArmsLength) {
+  const Profile profile = profile_for(200);
+  const bool large = GetParam() <= Archetype::Fixture;
+  for (const char* colour : {"white", "black", "brown"}) {
+    for (const Pair& pair : pairs()) {
+      Node with = thing(GetParam(), large ? Vec3(0.8, 0.6, 0.8) : Vec3(0.2, 0.2, 0.16));
+      with.colour = colour;
+      with.openable = pair.with.predicate == Predicate::Open;
+      Node without = with;
+      with.states.set(pair.with);
+      without.states.set(pair.without);
+      if (with.openable) with.opening = 1;
+      SCOPED_TRACE(std::string(colour) + " " + std::string(info(pair.with.predicate).name) + " " + pair.with.symbol);
+      const Contrast found = contrast(with, without, profile);
+      EXPECT_GE(found.clear_pixels, kLeastPixels);
+      if (pair.with.predicate != Predicate::PluggedIn) {
+        EXPECT_GE(found.mean, kLeastContrast);
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, VisibleState, ::testing::ValuesIn(all_archetypes().begin(), all_archetypes().end()),
+                         [](const auto& archetype) { return std::string(name_of(archetype.param)); });
+
+TEST(VisibleState, OfADeviceIsWhatSuchDevicesShow) {
+  const Profile profile = profile_for(200);
+  for (const char* category : {"FloorLamp", "Television", "StoveBurner", "Faucet", "Candle", "Toaster", "ShowerHead"}) {
+    Node on = thing(Archetype::Box, {0.3, 0.2, 0.25});
+    on.category = category;
+    Node off = on;
+    on.states.set({Predicate::PowerOn, ""});
+    off.states.set({Predicate::PowerOff, ""});
+    EXPECT_GE(contrast(on, off, profile).clear_pixels, kLeastPixels) << category;
+  }
+}
+
+TEST(VisibleState, OfALampLightsWhatIsNear) {
+  const Profile profile = profile_for(120);
+  Node lamp = thing(Archetype::Cylinder, {0.2, 0.2, 0.4});
+  lamp.category = "table_lamp";
+  const Vec3 aside = lamp.pose.position;
+  Scene dark = before(empty_room(), &lamp, profile, aside, 0.5), bright = dark;
+  dark.nodes.edit(0).states.set({Predicate::PowerOff, ""});
+  bright.nodes.edit(0).states.set({Predicate::PowerOn, ""});
+  Rays rays;
+  const Picture off = picture_of(dark, profile, rays), on = picture_of(bright, profile, rays);
+  int brighter = 0;
+  for (std::size_t i = 0; i < off.rgb.size(); i += 3) brighter += on.rgb[i] > off.rgb[i] + 8 ? 1 : 0;
+  EXPECT_GT(brighter, 120 * 120 / 4) << "most of the picture is floor and wall";
+}
+
+TEST(VisibleMaterial, IsToldFromOthersOfTheSameColour) {
+  const Profile profile = profile_for(200);
+  const std::vector<std::string> materials{"wood",    "metal", "glass",  "ceramic", "fabric",
+                                           "leather", "stone", "wicker", "rubber",  "cardboard"};
+  constexpr double kLeast = 3;  // a grain changes a part of the pixels
+  for (const std::string& one : materials) {
+    for (const std::string& other : materials) {
+      if (one >= other) continue;
+      Node a = thing(Archetype::Box, {0.3, 0.25, 0.2});
+      a.material = one;
+      a.colour = "brown";
+      Node b = a;
+      b.material = other;
+      EXPECT_GE(contrast(a, b, profile).mean, kLeast) << one << " and " << other;
+    }
+  }
+}
+
+TEST(VisibleMaterial, OfGlassShowsWhatIsBehind) {
+  const Profile profile = profile_for(120);
+  Node glass = thing(Archetype::Box, {0.3, 0.05, 0.3});
+  glass.material = "glass";
+  Node red = thing(Archetype::Box, {0.3, 0.1, 0.3});
+  red.id = "thing_2";
+  red.colour = "red";
+  red.pose.position.y() += 0.12;
+  Rays rays;
+  const Scene alone = before(empty_room(), &glass, profile, glass.pose.position, 0.15);
+  Scene both = alone;
+  both.nodes.push_back(red);
+  const Picture without = picture_of(alone, profile, rays), with = picture_of(both, profile, rays);
+  const std::size_t middle = 3 * (60 * 120 + 60);
+  EXPECT_GT(int{without.rgb[middle + 2]} - int{with.rgb[middle + 2]}, 20);
+}
+
+TEST(VisibleThing, InTheHandIsInACornerAndLeavesTheRest) {
+  const Profile profile = profile_for(200);
+  Node mug = thing(Archetype::Vessel, {0.1, 0.1, 0.1});
+  const Scene empty = before(empty_room(), &mug, profile, mug.pose.position, 0.5);
+  Scene held = empty;
+  held.agent.held = {mug.id};
+  Scene none = empty;
+  none.nodes.clear();
+  Rays rays;
+  const Picture shown = picture_of(held, profile, rays);
+  const Picture bare = picture_of(none, profile, rays);
+  std::size_t changed = 0, far_from_corner = 0;
+  for (std::size_t i = 0; i < bare.rgb.size(); ++i) {
+    if (shown.rgb[i] == bare.rgb[i]) continue;
+    ++changed;
+    const std::size_t x = i / 3 % 200, y = i / 3 / 200;
+    far_from_corner += x < 130 || y < 110 ? 1 : 0;
+  }
+  EXPECT_GT(changed, 600U);
+  EXPECT_EQ(far_from_corner, 0U);
+}
+
+}  // namespace
+}  // namespace unietp
