@@ -110,7 +110,7 @@ TEST(WhatAnAgentIsTold, ComesByRoomOnRequest) {
   for (const RoomContents& room : home.by_room) {
     std::string line = room.room.id + ":";
     for (const auto* things : {&room.furniture, &room.movables}) {
-      for (const NamedThing& thing : *things) line += " " + thing.id + ",";
+      for (const auto& thing : *things) line += " " + thing.id + ",";
     }
     line.back() = '.';
     EXPECT_THAT(prompt, HasSubstr("\n" + line + "\n"));
