@@ -21,10 +21,12 @@ bool is_there(const Domain& domain, const std::string& variable, const Trace& st
   return slices || !members_of(domain, variable, start).empty();
 }
 
+/// Of alternatives one is enough: of "if the box is open, …, if not, …" the start has but one.
 bool all_there(const Formula& formula, const Trace& start) {
   if (!is_there(formula.domain, formula.variable, start)) return false;
-  return std::all_of(formula.children.begin(), formula.children.end(),
-                     [&](const Formula& child) { return all_there(child, start); });
+  const auto there = [&](const Formula& child) { return all_there(child, start); };
+  return formula.op == Formula::Op::Or ? std::any_of(formula.children.begin(), formula.children.end(), there)
+                                       : std::all_of(formula.children.begin(), formula.children.end(), there);
 }
 
 /// "Put a mug in it", where "it" would be the mug.

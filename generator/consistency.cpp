@@ -148,7 +148,7 @@ class GoalReader {
         continue;
       const auto names = categories(demand, demand.literal.terms[0]);
       const bool possible = names.empty() || std::any_of(names.begin(), names.end(), [&](const std::string& name) {
-                              return knowledge_.find(name) == nullptr || knowledge_.has(name, group.affordance);
+                              return knowledge_.has(name, group.affordance);  // a room has no states
                             });
       if (possible) return std::nullopt;
       const auto text = text_of(demand.literal);

@@ -1,15 +1,14 @@
 """Independent planners on the PDDL of a data set, for `checks/judges planners`.
 
 Fast Downward (up-fast-downward) must find a plan for each problem. For each N-th problem unified-planning's simulator must
-accept that plan and the stored one, and refuse the stored one without any one of its steps; it takes half a minute a problem or more,
-because it writes out every conditional effect in Python.
+accept that plan and the stored one, and refuse the stored one without any one of its steps. That takes half a minute a
+problem or more, because it writes out every conditional effect in Python.
 
 The rows of OUT.csv are sorted by task and do not depend on the machine, except where Fast Downward runs out of time.
 Exit code 1: a problem was not solved, or a plan was judged otherwise than it should be.
 """
 
 import argparse
-import csv
 import subprocess
 import sys
 import tempfile
@@ -20,6 +19,8 @@ from pathlib import Path
 import up_fast_downward
 from unified_planning.engines import UPSequentialSimulator
 from unified_planning.io import PDDLReader
+
+from report import finish
 
 warnings.filterwarnings("ignore", module="unified_planning")
 DOWNWARD = Path(up_fast_downward.__file__).parent / "downward" / "fast-downward.py"
@@ -91,7 +92,8 @@ def acted_row(problem, text):
 
 
 def is_right(row):
-    return row["solved"] == "yes" and {row.get("solution_valid", "yes"), row.get("stored_valid", "yes")} == {"yes"}
+    valid = row.get("solution_valid", "yes") == row.get("stored_valid", "yes") == "yes"
+    return row["solved"] == "yes" and valid and not row.get("steps_not_needed")
 
 
 def main():
@@ -109,21 +111,18 @@ def main():
         rows.append(row | (acted_row(problem, text) if number % options.acted == 0 else {}))
         print(f"\r{number + 1} of {len(problems)}", end="", file=sys.stderr, flush=True)
     print(file=sys.stderr)
-    with options.out.open("w", newline="") as file:
-        writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
     acted = [row for row in rows if "stored_steps" in row]
     spare = Counter(step.split(":")[1] for row in acted for step in row["steps_not_needed"].split())
     steps = sum(row["stored_steps"] for row in acted)
-    wrong = [row for row in rows if not is_right(row)]
-    print(f"Fast Downward solves {sum(row['solved'] == 'yes' for row in rows)} of {len(rows)} problems")
-    print(f"unified-planning accepts the stored plan of {sum(row['stored_valid'] == 'yes' for row in acted)} of {len(acted)}")
-    print(f"and refuses {steps - sum(spare.values())} of {steps} plans that lack a step; the others lack {dict(spare)}")
-    for row in wrong:
-        print(row)
-    return 1 if wrong else 0
+    finish(
+        rows,
+        options.out,
+        f"Fast Downward solves {sum(row['solved'] == 'yes' for row in rows)} of {len(rows)} problems\n"
+        f"unified-planning accepts the stored plan of {sum(row['stored_valid'] == 'yes' for row in acted)} of {len(acted)}\n"
+        f"and refuses {steps - sum(spare.values())} of {steps} plans that lack a step; the others lack {dict(spare)}",
+        is_right,
+    )
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -8,7 +8,6 @@ Exit code 1: a program was not executed, or an object ended otherwise.
 """
 
 import argparse
-import csv
 import importlib.util
 import json
 import sys
@@ -16,6 +15,7 @@ from collections import Counter
 from pathlib import Path
 
 import unietp
+from report import finish
 
 # The package's own start needs Unity, so the modules of the graph are imported without it.
 sys.path.append(importlib.util.find_spec("virtualhome").submodule_search_locations[0] + "/simulation")
@@ -83,17 +83,14 @@ def main():
     options = options.parse_args()
     dataset = unietp.load_dataset(options.dataset)
     rows = [judge(dataset, options.folder, program.stem) for program in sorted(options.folder.glob("*.txt"))]
-    with options.out.open("w", newline="") as file:
-        writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
     ends = Counter(row["end"] for row in rows if row["executed"] == "yes")
-    wrong = [row for row in rows if row["end"] not in ("equal", "carried things forgotten")]
-    print(f"VirtualHome's graph simulator executes {sum(ends.values())} of {len(rows)} programs; their ends: {dict(ends)}")
-    for row in wrong:
-        print(row)
-    return 1 if wrong else 0
+    finish(
+        rows,
+        options.out,
+        f"VirtualHome's graph simulator executes {sum(ends.values())} of {len(rows)} programs; their ends: {dict(ends)}",
+        lambda row: row["end"] in ("equal", "carried things forgotten"),
+    )
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

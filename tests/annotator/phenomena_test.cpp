@@ -89,6 +89,14 @@ TEST(Phenomena, ItHasAReadingForEachThingThatWasNamed) {
   EXPECT_THAT(read("There is a mug on the table. Open a fridge and wash it."), SizeIs(2));
 }
 
+TEST(Phenomena, OfAnAlternativeOnePartIsThere) {
+  expect_goal(
+      "If the fridge is open, put a mug in it. If not, put it on a table.",
+      "(or (exists (?f - (Fridge :where (open ?f))) (exists (?a - Mug) (at-end (inside ?a ?f)))) "
+      "(exists (?f - (Fridge :where (closed ?f))) (exists (?a - Mug) (exists (?t - Table) (at-end (on ?a ?t))))))");
+  EXPECT_THAT(read("If the table is open, put a mug in it. If not, put it on a fridge."), IsEmpty());
+}
+
 TEST(Phenomena, EllipsisTakesTheNounOfWhatWasNamed) {
   expect_goal("There is more than one mug here. Wash the dirty one.",
               "(exists (?a - (Mug :where (dirty ?a))) (at-end (clean ?a)))");

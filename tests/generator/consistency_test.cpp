@@ -37,6 +37,12 @@ TEST(Contradiction, StatesAtDifferentTimesOrOfDifferentObjectsAreFine) {
   EXPECT_EQ(why_not("(exists (?a - Mug) (exists (?b - Mug) (at-end (and (hot ?a) (cool ?b)))))"), "");
 }
 
+TEST(Contradiction, AStateThatItsKindOfThingNeverHas) {
+  EXPECT_NE(why_not("(exists (?a - Mug) (at-end (closed ?a)))").find("is not openable"), std::string::npos);
+  EXPECT_NE(why_not("(exists (?k - kitchen) (at-end (closed ?k)))").find("kitchen is not openable"), std::string::npos);
+  EXPECT_EQ(why_not("(exists (?a - Fridge) (at-end (closed ?a)))"), "");
+}
+
 TEST(Contradiction, OneObjectInTwoPlaces) {
   EXPECT_NE(
       why_not("(exists (?a - Mug) (exists (?b - Table) (exists (?c - Shelf) (at-end (and (on ?a ?b) (on ?a ?c))))))")
