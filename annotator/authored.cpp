@@ -15,13 +15,12 @@ namespace {
 using Op = Formula::Op;
 using Text = std::optional<std::string>;
 
-/// The quantifier of a variable, also within a `:where`; nullptr when the goal binds none of that name.
-const Formula* binder_of(const Formula& formula, const std::string& variable) {
-  if (formula.variable == variable) return &formula;
-  for (const std::vector<Formula>* parts : {&formula.domain.where, &formula.children})
-    for (const Formula& part : *parts)
-      if (const Formula* found = binder_of(part, variable)) return found;
-  return nullptr;
+/// "Turn on it" → "Turn it on". Verbs lack their first letter, which may be a capital.
+std::string with_it_before_particles(std::string text) {
+  for (const char* const verb : {"urn", "witch", "eat", "arm", "ick", "ool", "lug"})
+    for (const char* const particle : {"on", "off", "up", "down", "in"})
+      text = replace_all(text, join({verb, particle, "it"}, " "), join({verb, "it", particle}, " "));
+  return text;
 }
 
 class Author {
@@ -60,23 +59,27 @@ class Author {
     filled += phrasing.substr(at);
     // "Take the mug that is on the desk": people take it off the desk.
     if (filled.starts_with("Take ") && filled.find(" that is ") != std::string::npos) return std::nullopt;
-    for (const char* const article : {"the ", "a "})
-      for (const auto& [variable, domain] : phrases_.scope()) {
-        const NounTable::Name* room =
-            domain.members.size() == 1 ? lexicon_.display(domain.members[0].category) : nullptr;
-        if (room != nullptr)
-          filled = replace_all(filled, "the floor of " + (article + room->singular),
-                               floor_of(article + room->singular, !domain.where.empty()));
-      }
-    for (const char* const verb : {"urn", "witch", "eat", "arm", "ick", "ool", "lug"})
-      for (const char* const particle : {"on", "off", "up", "down", "in"})
-        filled = replace_all(filled, join({verb, particle, "it"}, " "), join({verb, "it", particle}, " "));
+    filled = with_everyday_floors(std::move(filled));
+    filled = with_it_before_particles(std::move(filled));
     if (begin < filled.size())
       filled[begin] = static_cast<char>(std::toupper(static_cast<unsigned char>(filled[begin])));
     return filled;
   }
 
  private:
+  /// "the floor of the kitchen" → "the kitchen floor".
+  std::string with_everyday_floors(std::string text) const {
+    for (const auto& [variable, domain] : phrases_.scope()) {
+      const NounTable::Name* room = domain.members.size() == 1 ? lexicon_.display(domain.members[0].category) : nullptr;
+      if (room == nullptr) continue;
+      for (const std::string article : {"the ", "a "}) {
+        const std::string named = article + room->singular;
+        text = replace_all(text, "the floor of " + named, floor_of(named, !domain.where.empty()));
+      }
+    }
+    return text;
+  }
+
   /// "There is a mug on the desk.", of the thing that the goal describes.
   Text opening_fact() {
     for (const auto& [variable, domain] : phrases_.scope()) {

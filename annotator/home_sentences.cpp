@@ -11,20 +11,13 @@ namespace {
 
 using P = Predicate;
 
-const Formula* quantifier_of(const Formula& formula, const std::string& variable) {
-  if (formula.variable == variable) return &formula;
-  for (const Formula& child : formula.children)
-    if (const Formula* found = quantifier_of(child, variable)) return found;
-  return nullptr;
-}
-
 constexpr double kLikely = 0.05;  // of a place that knowledge base rows name for a thing
 
 /// The categories on or in which a goal puts something.
 std::vector<std::string> places_of(const Formula& part, const Formula& goal) {
   std::vector<std::string> found;
   const bool put = part.op == Formula::Op::Atom && (part.predicate == P::On || part.predicate == P::Inside);
-  if (const Formula* binder = put ? quantifier_of(goal, part.terms[1].name) : nullptr)
+  if (const Formula* binder = put ? binder_of(goal, part.terms[1].name) : nullptr)
     for (const Domain::Member& member : binder->domain.members) found.push_back(member.category);
   for (const Formula& child : part.children)
     for (std::string& place : places_of(child, goal)) found.push_back(std::move(place));

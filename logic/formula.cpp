@@ -114,4 +114,12 @@ std::vector<std::string> free_variables(const Formula& formula) {
   return free;
 }
 
+const Formula* binder_of(const Formula& formula, const std::string& variable) {
+  if (formula.variable == variable) return &formula;
+  for (const std::vector<Formula>* parts : {&formula.domain.where, &formula.children})
+    for (const Formula& part : *parts)
+      if (const Formula* found = binder_of(part, variable)) return found;
+  return nullptr;
+}
+
 }  // namespace unietp

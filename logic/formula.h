@@ -108,6 +108,9 @@ std::string_view symbol_of(Comparison comparison);  // ">="
 std::vector<std::string> categories_of(const Formula& formula);
 /// Free variables in order of first use.
 std::vector<std::string> free_variables(const Formula& formula);
+/// The first quantifier of a variable, also within a `:where`; nullptr when the formula binds none of that name. It
+/// points into the formula.
+const Formula* binder_of(const Formula& formula, const std::string& variable);
 
 /// Replaces domain names and symbols (a template's placeholders) by what they are bound to; several categories make an
 /// `either`. Names without an entry stay.
