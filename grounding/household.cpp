@@ -1,7 +1,6 @@
 #include "grounding/household.h"
 
 #include <algorithm>
-#include <array>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -9,10 +8,7 @@
 namespace unietp {
 namespace {
 
-// Goals put things there, but nobody keeps them there: food waits in an oven only while it is cooked.
-constexpr std::array<std::string_view, 8> kPassing{"oven",       "microwave", "toaster", "stove",
-                                                   "dishwasher", "sink",      "bathtub", "washer"};
-constexpr double kInPassing = 0.15;  // of the weight of such a place
+constexpr double kInPassing = 0.15;  // of the weight of a place that things only pass through
 
 constexpr double kTolerable = 0.08;  // weight of all tolerable places of a category together; the usual ones have 1
 constexpr double kUnspoken = 0.02;   // share of a state that nobody spoke of
@@ -46,7 +42,7 @@ Household::Household(const Knowledge& knowledge, const CommonSense& sense, Start
       const auto* at = sense.kind_of(knowledge.simulator(), receptacle);
       const auto is_a = [&](std::string_view kind) { return at != nullptr && kinds_.is_a(at->kind, kind); };
       if (is_a("trash_can") && !kinds_.is_a(kind_of(category.name), "rubbish")) continue;
-      const bool passing = std::any_of(kPassing.begin(), kPassing.end(), is_a);
+      const bool passing = at != nullptr && sense.used_for(at->kind, PlaceUse::Passing);
       const bool is_usual = place.grade == Grade::Usual;
       const double weight = place.weight * (is_usual ? 1 : kTolerable) * (passing ? kInPassing : 1);
       places.push_back({place.placement->relation, receptacle, weight, is_usual});

@@ -43,6 +43,8 @@ struct ExportedScene {
 Result<ExportedScene> write_procthor(const Scene& scene, const Knowledge& knowledge, const FormatFacts& facts);
 Result<ExportedScene> write_virtualhome(const Scene& scene, const Knowledge& knowledge, const FormatFacts& facts);
 Result<ExportedScene> write_habitat(const Scene& scene, const Knowledge& knowledge);
+/// The same with a stand-in (habitat_assets.h) for the model of every object, and no scale.
+Result<ExportedScene> write_habitat_with_stand_ins(const Scene& scene, const Knowledge& knowledge);
 
 /// The formats by name: ithor, procthor, virtualhome, replicacad, hssd, behavior.
 const std::vector<std::string>& scene_format_names();

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "interchange/formats.h"
+#include "interchange/habitat_assets.h"
 #include "interchange/habitat_frame.h"
 
 namespace unietp {
@@ -27,7 +28,8 @@ std::string state_text(const State& state) {
 
 class HabitatExporter {
  public:
-  HabitatExporter(const Scene& scene, const Knowledge& knowledge) : scene_(scene), knowledge_(knowledge) {}
+  HabitatExporter(const Scene& scene, const Knowledge& knowledge, bool stand_ins)
+      : scene_(scene), knowledge_(knowledge), stand_ins_(stand_ins) {}
 
   ExportedScene write() {
     for (const Node& node : scene_.nodes) add(node);
@@ -40,7 +42,7 @@ class HabitatExporter {
                              "\"},\n\"default_lighting\": \"\",\n\"translation_origin\": \"COM\"" +
                              lines("object_instances", objects_) + lines("articulated_object_instances", articulated_) +
                              ",\n\"user_defined\": " + text_of(own) + "\n}\n";
-    return {text, std::move(left_out_)};
+    return {text, std::move(left_out_), std::move(names_)};
   }
 
  private:
@@ -73,8 +75,8 @@ class HabitatExporter {
   /// size in millimetres, which a user's data set has to provide.
   std::string template_of(const Node& node, Vec3& scale) {
     const Category& category = *knowledge_.find(node.category);
-    const Asset* model = nearest_model(node);
-    std::string name = model != nullptr ? model->name : node.asset;
+    const Asset* model = stand_ins_ ? nullptr : nearest_model(node);
+    std::string name = stand_ins_ ? habitat_stand_in_name(node) : model != nullptr ? model->name : node.asset;
     Vec3 size = model != nullptr ? model->size : node.size;
     if (name.empty()) {
       name = node.category;
@@ -88,7 +90,7 @@ class HabitatExporter {
       const Json& known = at->second.at("size");
       size = Vec3(known[0].get<double>(), known[1].get<double>(), known[2].get<double>());
     }
-    scale = node.size.cwiseQuotient(size);
+    scale = stand_ins_ ? Vec3(1, 1, 1) : Vec3(node.size.cwiseQuotient(size));
     return name;
   }
 
@@ -99,6 +101,9 @@ class HabitatExporter {
     }
     Vec3 scale = Vec3::Ones();
     const std::string name = template_of(node, scale);
+    const std::size_t before = count_[name]++;
+    names_[node.id] = name + "_:" + std::string(4 - std::min<std::size_t>(4, std::to_string(before).size()), '0') +
+                      std::to_string(before);
     Json instance = {{"template_name", name},
                      {"translation_origin", "COM"},
                      {"translation", array_of(to_habitat(node.pose.position))},
@@ -150,21 +155,32 @@ class HabitatExporter {
 
   const Scene& scene_;
   const Knowledge& knowledge_;
+  bool stand_ins_;
+  std::map<std::string, std::size_t> count_;  // instances of each template so far
+  std::map<std::string, std::string> names_;
   std::vector<Json> objects_, articulated_;
   std::map<std::string, Json> templates_;
   std::vector<std::string> left_out_;
 };
 
-}  // namespace
-
-Result<ExportedScene> write_habitat(const Scene& scene, const Knowledge& knowledge) {
+Result<ExportedScene> write(const Scene& scene, const Knowledge& knowledge, bool stand_ins) {
   if (scene.simulator != Simulator::Habitat || knowledge.simulator() != Simulator::Habitat) {
     return Error{Error::Kind::Schema,
                  scene.id,
                  {},
                  "expected a scene of habitat, not of " + std::string(name_of(scene.simulator))};
   }
-  return HabitatExporter(scene, knowledge).write();
+  return HabitatExporter(scene, knowledge, stand_ins).write();
+}
+
+}  // namespace
+
+Result<ExportedScene> write_habitat(const Scene& scene, const Knowledge& knowledge) {
+  return write(scene, knowledge, false);
+}
+
+Result<ExportedScene> write_habitat_with_stand_ins(const Scene& scene, const Knowledge& knowledge) {
+  return write(scene, knowledge, true);
 }
 
 }  // namespace unietp

@@ -54,14 +54,16 @@ Sense worse_of(Sense a, Sense b) {
 }
 
 CommonSense::CommonSense(Kinds kinds, CategoryKinds categories, Judgments judgments, std::vector<SenseRule> rules,
-                         const std::vector<Evidence>& evidence, SpecialPlaces special, Companions companions)
+                         const std::vector<Evidence>& evidence, SpecialPlaces special, Companions companions,
+                         PlaceUses uses)
     : kinds_(std::move(kinds)),
       categories_(std::move(categories)),
       judgments_(std::move(judgments)),
       rules_(std::move(rules)),
       evidence_(evidence),
       special_(std::move(special)),
-      companions_(std::move(companions)) {
+      companions_(std::move(companions)),
+      uses_(std::move(uses)) {
   for (const auto& [of, grade] : judgments_) {
     if (of.second.starts_with(kInRoom)) in_rooms_.insert(of.second);
   }
@@ -290,8 +292,9 @@ CommonSense read_common_sense(const std::filesystem::path& folder, std::vector<E
   const auto evidence = read_evidence(folder / "counts.csv", kinds, errors);
   auto special = read_special_places(folder / "special_places.csv", kinds, errors);
   auto companions = read_companions(folder / "companions.csv", kinds, errors);
-  return {std::move(kinds), std::move(categories), std::move(judgments), std::move(rules),
-          evidence,         std::move(special),    std::move(companions)};
+  auto uses = read_place_uses(folder / "place_uses.csv", kinds, errors);
+  return {std::move(kinds), std::move(categories), std::move(judgments),  std::move(rules),
+          evidence,         std::move(special),    std::move(companions), std::move(uses)};
 }
 
 }  // namespace unietp

@@ -12,6 +12,7 @@
 #include "sense/companions.h"
 #include "sense/evidence.h"
 #include "sense/kinds.h"
+#include "sense/place_uses.h"
 #include "sense/special_places.h"
 #include "sense/word_kinds.h"
 
@@ -52,12 +53,15 @@ struct Thing {
 class CommonSense {
  public:
   CommonSense(Kinds kinds, CategoryKinds categories, Judgments judgments, std::vector<SenseRule> rules,
-              const std::vector<Evidence>& evidence, SpecialPlaces special = {}, Companions companions = {});
+              const std::vector<Evidence>& evidence, SpecialPlaces special = {}, Companions companions = {},
+              PlaceUses uses = {});
 
   const Kinds& kinds() const { return kinds_; }  // those that the tables speak of
   /// Shelves and the like that are for some kinds only, and what goes along with what: as in their tables.
   const SpecialPlaces& special_places() const { return special_; }
   const Companions& companions() const { return companions_; }
+  /// True for a kind of place that has this use.
+  bool used_for(std::string_view place, PlaceUse use) const { return uses_.has(place, use, kinds_); }
   /// nullptr for a category that has none.
   const KindFact* kind_of(Simulator simulator, const std::string& category) const;
 
@@ -100,12 +104,14 @@ class CommonSense {
   std::vector<Evidence> evidence_;
   SpecialPlaces special_;
   Companions companions_;
+  PlaceUses uses_;
   std::set<Role> in_rooms_;                                       // all roles of being in a room that are judged
   std::map<std::pair<std::string, Role>, Count> counts_;          // of a kind and all narrower ones
   std::map<std::pair<std::string, std::string>, double> totals_;  // of a kind and a family
 };
 
-/// Reads data/sense/: kinds, categories, judged, counts, rules, special places, companions. Errors are appended.
+/// Reads data/sense/: kinds, categories, judged, counts, rules, special places, companions, uses of places. Errors are
+/// appended.
 CommonSense read_common_sense(const std::filesystem::path& folder, std::vector<Error>& errors);
 
 }  // namespace unietp

@@ -1,9 +1,7 @@
 #include "sense/grade_goal.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
-#include <span>
 
 #include "core/text.h"
 #include "sense/action_roles.h"
@@ -67,14 +65,6 @@ std::vector<Want> with_carried(std::vector<Want> piece, const Wants& whole) {
   }
   return piece;
 }
-
-/// Kinds of places in which things are kept.
-constexpr std::array<std::string_view, 6> kKeepers{"cabinet", "drawer", "fridge", "freezer", "wardrobe", "dresser"};
-
-/// Kinds of places where dirty things go; the first of them may be dirty themselves.
-constexpr std::array<std::string_view, 9> kForDirt{"sink",    "dishwasher", "washer",  "hamper", "trash_can",
-                                                   "bathtub", "floor_tool", "counter", "stove"};
-constexpr std::size_t kDirtyThemselves = 7;
 
 /// True when what is known of the start bears on the want: dirt of a thing of which, or onto which, something is
 /// wanted, and the room of a place where something is to go.
@@ -257,9 +247,7 @@ class GoalGrader {
     for (const auto& place : things_of(*want.other)) {
       const auto& kinds = sense_.kinds();
       if (place.kind.empty()) continue;
-      const bool keeps = std::any_of(kKeepers.begin(), kKeepers.end(),
-                                     [&](std::string_view keeper) { return kinds.is_a(place.kind, keeper); });
-      const bool kept = relation == "in" && keeps &&
+      const bool kept = relation == "in" && sense_.used_for(place.kind, PlaceUse::Storage) &&
                         sense_.grade(thing, kinds.place_role(relation, place.kind)).grade == Grade::Usual;
       keep("no " + thing.words + " " + relation + " " + place.words,
            kept ? Sense{Grade::Tolerable, 0.3, {"it is where it is kept"}, "cleared"}
@@ -305,12 +293,9 @@ class GoalGrader {
 
   /// What is dirty is washed, wiped or carried to where that is done; nobody eats from it or puts it away.
   void used_dirty(const Want& want, const Want& dirt) {
-    const auto& kinds = sense_.kinds();
-    const auto for_dirt = [&](const Thing& place) {
-      const bool on_it = want.other == dirt.thing;  // a dirty counter is no place for anything
-      const auto list = std::span(kForDirt).first(on_it ? kDirtyThemselves : kForDirt.size());
-      return std::any_of(list.begin(), list.end(), [&](std::string_view kind) { return kinds.is_a(place.kind, kind); });
-    };
+    const bool itself = want.other == dirt.thing;  // a dirty counter is no place for anything
+    const auto use = itself ? PlaceUse::DirtyOrNot : PlaceUse::DirtyThings;
+    const auto for_dirt = [&](const Thing& place) { return sense_.used_for(place.kind, use); };
     const bool uses = want.predicate == Predicate::Filled || want.predicate == Predicate::Hot;
     if (!uses && !is_place(want)) return;
     if (is_place(want)) {
