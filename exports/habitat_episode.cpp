@@ -9,7 +9,6 @@
 
 #include "interchange/habitat_assets.h"
 #include "interchange/habitat_frame.h"
-#include "scene/node_index.h"
 #include "scene/trace.h"
 #include "simulation/shape.h"
 
@@ -104,10 +103,9 @@ class EpisodeWriter {
   }
 
   void targets() {
-    const NodeIndex at_end(end_);
     for (const Node& node : start_.nodes) {
       if (!node.movable || node.openable) continue;
-      const Node* const last = at_end.find(node.id);
+      const Node* const last = find_node(end_, node.id);
       const std::string from = holder_of(start_, node.id), to = holder_of(end_, node.id);
       if (last == nullptr || from == to || to.empty()) continue;
       labels_[names_.at(node.id)] = "any_targets|" + std::to_string(labels_.size());
