@@ -14,8 +14,6 @@
 namespace unietp {
 namespace {
 
-using Kind = BuiltInPolicy::Kind;
-
 constexpr const char* kStopReply = R"({"action": "stop", "args": []})";
 
 /// A command as an agent says it under the settings.
@@ -62,8 +60,8 @@ class ScriptPolicy : public Policy {
   std::optional<NoReply> begin(const PlannedEpisode& episode, const Environment& start) override {
     commands_.clear();
     next_ = 0;
-    if (policy_.kind == Kind::Stop) return std::nullopt;
-    if (policy_.kind == Kind::Expert) {
+    if (policy_.kind == BuiltInPolicy::Kind::Stop) return std::nullopt;
+    if (policy_.kind == BuiltInPolicy::Kind::Expert) {
       commands_ = expert_commands(start);
       return std::nullopt;
     }
@@ -71,7 +69,7 @@ class ScriptPolicy : public Policy {
     if (!shown) return NoReply{EpisodeErrorKind::Policy, format(shown.error())};
     Rng rng = episode_rng(seed_, episode.key);
     for (const StepRecord& step : shown->steps) {
-      if (policy_.kind != Kind::Noisy || !rng.chance(policy_.noise)) commands_.push_back(step.command);
+      if (policy_.kind != BuiltInPolicy::Kind::Noisy || !rng.chance(policy_.noise)) commands_.push_back(step.command);
     }
     return std::nullopt;
   }
@@ -97,10 +95,10 @@ Rng episode_rng(std::uint64_t seed, const EpisodeKey& key) {
 }
 
 Result<std::optional<BuiltInPolicy>> built_in_policy(const std::string& text) {
-  if (text == "expert") return std::optional(BuiltInPolicy{Kind::Expert, 0});
-  if (text == "replay") return std::optional(BuiltInPolicy{Kind::Replay, 0});
-  if (text == "random") return std::optional(BuiltInPolicy{Kind::Random, 0});
-  if (text == "stop") return std::optional(BuiltInPolicy{Kind::Stop, 0});
+  if (text == "expert") return std::optional(BuiltInPolicy{BuiltInPolicy::Kind::Expert, 0});
+  if (text == "replay") return std::optional(BuiltInPolicy{BuiltInPolicy::Kind::Replay, 0});
+  if (text == "random") return std::optional(BuiltInPolicy{BuiltInPolicy::Kind::Random, 0});
+  if (text == "stop") return std::optional(BuiltInPolicy{BuiltInPolicy::Kind::Stop, 0});
   constexpr std::string_view kNoisy = "noisy:";
   if (!text.starts_with(kNoisy)) return std::optional<BuiltInPolicy>();
   double noise = -1;
@@ -108,11 +106,11 @@ Result<std::optional<BuiltInPolicy>> built_in_policy(const std::string& text) {
   const auto read = std::from_chars(text.data() + kNoisy.size(), end, noise);
   if (read.ec != std::errc() || read.ptr != end || !(noise >= 0 && noise <= 1))
     return Error{Error::Kind::Usage, "--policy", {}, "expected noisy:P with a number from 0 to 1, as in noisy:0.1"};
-  return std::optional(BuiltInPolicy{Kind::Noisy, noise});
+  return std::optional(BuiltInPolicy{BuiltInPolicy::Kind::Noisy, noise});
 }
 
 PolicyMaker built_in_policies(const BuiltInPolicy& policy, TaskSource tasks, std::uint64_t seed) {
-  if (policy.kind == Kind::Random) return [seed] { return std::make_unique<RandomPolicy>(seed); };
+  if (policy.kind == BuiltInPolicy::Kind::Random) return [seed] { return std::make_unique<RandomPolicy>(seed); };
   return [policy, tasks = std::move(tasks), seed] { return std::make_unique<ScriptPolicy>(policy, tasks, seed); };
 }
 

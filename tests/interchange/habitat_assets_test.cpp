@@ -132,7 +132,7 @@ TEST(HabitatAssets, NamesAreNamesOfFilesWhateverTheCategory) {
 }
 
 TEST(HabitatAssets, AHomeHasAStageAndAModelForEveryNode) {
-  const Scene home = small_home(committed_knowledge(Simulator::Habitat), 3);
+  const Scene home = testing::small_home(committed_knowledge(Simulator::Habitat), 3);
   const auto scene = write_habitat_with_stand_ins(home, committed_knowledge(Simulator::Habitat));
   ASSERT_TRUE(scene) << format(scene.error());
   EXPECT_THAT(scene->left_out, IsEmpty());

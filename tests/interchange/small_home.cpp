@@ -8,6 +8,7 @@
 #include "core/rng.h"
 #include "interchange/category_names.h"
 #include "scene/fresh_id.h"
+#include "tests/interchange/import_rates.h"
 
 namespace unietp::testing {
 namespace {

@@ -14,7 +14,7 @@ using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-std::vector<std::string> problems_of(const std::string& rows) {
+std::vector<std::string> place_problems(const std::string& rows) {
   const ScratchFolder folder;
   EXPECT_TRUE(write_file(folder.path() / "place_uses.csv", "use,places,source\n" + rows));
   std::vector<Error> errors;
@@ -37,12 +37,12 @@ TEST(PlaceUses, AreThoseOfTheirKindAndOfWiderOnes) {
 
 TEST(PlaceUses, AFaultyRowIsReportedWithItsPlace) {
   const std::string rest = "dirty_things,sink,curated\ndirty_or_not,sink,curated\npassing,oven,curated\n";
-  EXPECT_THAT(problems_of("storage,cabinet|drawer,curated\n" + rest), IsEmpty());
-  EXPECT_THAT(problems_of("storage,cabnet,curated\n" + rest),
+  EXPECT_THAT(place_problems("storage,cabinet|drawer,curated\n" + rest), IsEmpty());
+  EXPECT_THAT(place_problems("storage,cabnet,curated\n" + rest),
               Contains(HasSubstr("2:9: schema error: 'cabnet' is not")));
-  EXPECT_THAT(problems_of("store,cabinet,curated\n" + rest), Contains(HasSubstr("'store' is not a use; known are")));
-  EXPECT_THAT(problems_of(rest), Contains(HasSubstr("no row for the use 'storage'")));
-  EXPECT_THAT(problems_of(rest + "storage,cabinet,curated\npassing,stove,curated\n"),
+  EXPECT_THAT(place_problems("store,cabinet,curated\n" + rest), Contains(HasSubstr("'store' is not a use; known are")));
+  EXPECT_THAT(place_problems(rest), Contains(HasSubstr("no row for the use 'storage'")));
+  EXPECT_THAT(place_problems(rest + "storage,cabinet,curated\npassing,stove,curated\n"),
               Contains(HasSubstr("'passing' stands twice")));
 }
 
