@@ -72,8 +72,8 @@ TEST(HabitatEpisode, ATargetIsWhatEndsElsewhere) {
   EXPECT_EQ(rows[0][3], 3.0);
   EXPECT_EQ(rows[1][3], 0.5);
   EXPECT_EQ(rows[2][3], 0.0);
-  EXPECT_EQ(episode["goal_receptacles"], Json({{"fridge_:0000", nullptr}}));
-  EXPECT_EQ(episode["target_receptacles"], Json({{"table_:0000", nullptr}}));
+  EXPECT_EQ(episode["goal_receptacles"], Json::array({Json::array({"fridge_:0000", nullptr})}));
+  EXPECT_EQ(episode["target_receptacles"], Json::array({Json::array({"table_:0000", nullptr})}));
   EXPECT_EQ(episode["info"]["object_labels"][second], "any_targets|0");
 }
 
