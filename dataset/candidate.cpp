@@ -12,8 +12,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 StepEntry step_entry(const DemonstrationStep& step) {
-  return {step.command,          step.outcome.success, name_of(step.outcome.failure),
-          step.outcome.feedback, step.visible,         step.changes};
+  return {step.command, step.outcome.success, name_of(step.outcome.failure), step.outcome.feedback, step.visible,
+          step.changes, step.search};
 }
 
 /// Key of what is done in which start: equal starts of a home have equal texts of their changes.
@@ -65,8 +65,11 @@ WrittenTask written_task(const Task& task, const std::string& changes) {
       ++count.steps;
       count.failures += step.outcome.success ? 0 : 1;
     }
+    std::vector<Command> shortest;
+    for (const Action& action : demonstration.shortest) shortest.push_back(by_ids(action));
+    count.shortest = static_cast<int>(shortest.size());
     entry.expert.push_back(count);
-    written.shown.push_back(demonstration_line(task.id, demonstration.mode, steps));
+    written.shown.push_back(demonstration_line(task.id, demonstration.mode, steps, shortest));
   };
   add(task.demonstration);
   for (const auto& other : task.in_other_modes) add(other);

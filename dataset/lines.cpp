@@ -66,19 +66,25 @@ std::string start_text(const TaskEntry& task) {
   return text;
 }
 
-void write_step(JsonText& json, const StepEntry& step) {
-  json.open_object();
-  const Json command = command_to_json(step.command);
-  for (const auto& [name, value] : command.items()) {
+void write_command(JsonText& json, const Command& command) {
+  const Json object = command_to_json(command);
+  for (const auto& [name, value] : object.items()) {
     json.key(name);
     json.raw(dumped(value));
   }
+}
+
+void write_step(JsonText& json, const StepEntry& step) {
+  json.open_object();
+  write_command(json, step.command);
   json.key("success");
   json.value(step.success);
   json.key("failure");
   json.value(step.failure);
   json.key("feedback");
   json.value(step.feedback);
+  json.key("search");
+  json.value(step.search);
   json.key("visible");
   json.open_list();
   for (const auto& object : step.visible) {
@@ -103,8 +109,10 @@ std::string line_of(const TaskEntry& task) {
   Json bindings = Json::object();
   for (const auto& [placeholder, category] : task.bindings) bindings[placeholder] = category;
   Json expert = Json::object();
-  for (const auto& count : task.expert)
-    expert[std::string(name_of(count.mode))] = {{"steps", count.steps}, {"failures", count.failures}};
+  for (const auto& count : task.expert) {
+    Json& shown = expert[std::string(name_of(count.mode))] = {{"steps", count.steps}, {"failures", count.failures}};
+    if (count.mode != Mode::M1) shown["shortest_steps"] = count.shortest;
+  }
   ObjectText object("unietp-task/1");
   object.field("id", task.id);
   object.field("template", task.template_name);
@@ -126,7 +134,8 @@ std::string line_of(const TaskEntry& task) {
   return object.finish();
 }
 
-std::string demonstration_line(std::string_view task, Mode mode, const std::vector<StepEntry>& steps) {
+std::string demonstration_line(std::string_view task, Mode mode, const std::vector<StepEntry>& steps,
+                               const std::vector<Command>& shortest) {
   std::string line;
   JsonText json(line);
   json.open_object();
@@ -140,6 +149,16 @@ std::string demonstration_line(std::string_view task, Mode mode, const std::vect
   json.open_list();
   for (const auto& step : steps) write_step(json, step);
   json.close_list();
+  if (mode != Mode::M1) {
+    json.key("shortest");
+    json.open_list();
+    for (const Command& command : shortest) {
+      json.open_object();
+      write_command(json, command);
+      json.close_object();
+    }
+    json.close_list();
+  }
   json.close_object();
   return line;
 }

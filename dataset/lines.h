@@ -39,6 +39,7 @@ struct TaskEntry {
   struct Count {
     Mode mode = Mode::M1;
     int steps = 0, failures = 0;
+    int shortest = 0;  // steps of the shortest plan kept beside it; 0 in M1, which has none
     bool operator==(const Count&) const = default;
   };
   std::vector<Count> expert;  // of its demonstrations
@@ -55,9 +56,11 @@ struct StepEntry {
   std::string_view failure, feedback;
   const std::vector<VisibleObject>& visible;
   const Delta& changes;
+  bool search = false;
 };
-/// A line of demonstrations/<mode>.jsonl.
-std::string demonstration_line(std::string_view task, Mode mode, const std::vector<StepEntry>& steps);
+/// A line of demonstrations/<mode>.jsonl. `shortest`: written except in M1.
+std::string demonstration_line(std::string_view task, Mode mode, const std::vector<StepEntry>& steps,
+                               const std::vector<Command>& shortest = {});
 
 /// A line of rejections.jsonl.
 struct RejectionEntry {

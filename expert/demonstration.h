@@ -17,12 +17,15 @@ struct DemonstrationStep {
   Command command;                     // how an agent of the mode says it
   Outcome outcome;
   Delta changes;
+  bool search = false;  // only served to see something (search_marks.h)
 };
 
 /// An executed plan under the rules of a mode.
 struct Demonstration {
   Mode mode = Mode::M1;
   std::vector<DemonstrationStep> steps;  // the last is `stop`
+  /// M2 and M3: the shortest plan known to one who is told everything, with the actions of the mode; ends with `stop`.
+  std::vector<Action> shortest = {};
 };
 
 /// Limits of the search for a plan.

@@ -20,7 +20,7 @@ bool only_moves_the_body(ActionType type) {
 bool shorten(const Rollout& start, std::vector<Action>& actions, std::size_t length) {
   bool shorter = false;
   Rollout so_far = start;
-  for (std::size_t i = 0; i + length < actions.size();) {  // the last is `stop`
+  for (std::size_t i = start.done().size(); i + length < actions.size();) {  // the last is `stop`
     Rollout without = so_far;
     without.go_on(std::span(actions).subspan(i + length));
     if (without.reaches_goal()) {
@@ -50,7 +50,7 @@ bool leave_in_hand(const Rollout& start, std::vector<Action>& actions) {
 Demonstration record(ExecutionTree& executions, Mode mode, const std::vector<Action>& actions) {
   Demonstration demonstration;
   demonstration.mode = mode;
-  Rollout rollout(executions, mode);
+  Rollout rollout(executions, rules_of(mode));
   for (const Action& action : actions) {
     auto command = clearly_said(rollout.episode(), action);
     if (!command) continue;
@@ -65,18 +65,21 @@ Demonstration record(ExecutionTree& executions, Mode mode, const std::vector<Act
   return demonstration;
 }
 
-std::optional<std::vector<Action>> without_needless(ExecutionTree& executions, Mode mode, std::vector<Action> actions,
-                                                    std::size_t longest_run) {
-  const Rollout start(executions, mode);
+std::optional<std::vector<Action>> without_needless(ExecutionTree& executions, const ModeRules& rules,
+                                                    std::vector<Action> actions, std::size_t longest_run,
+                                                    std::size_t done) {
+  Rollout start(executions, rules);
+  start.go_on(std::span(actions).first(done));
+  if (start.done().size() != done) return std::nullopt;
   Rollout all = start;
-  all.go_on(actions);
+  all.go_on(std::span(actions).subspan(done));
   if (!all.reaches_goal()) return std::nullopt;
   actions = all.done();
   for (std::size_t length = 1;;) {
     // A shorter plan may make a step needless that was needed before.
     if (length <= longest_run) {
       length = shorten(start, actions, length) ? 1 : length + 1;
-    } else if (leave_in_hand(start, actions)) {
+    } else if (done == 0 && leave_in_hand(start, actions)) {
       length = 1;
     } else {
       return actions;

@@ -29,9 +29,11 @@ Demonstration record(ExecutionTree& executions, Mode mode, const std::vector<Act
 
 /// Leaves out steps until none can be missed: single ones, then runs of up to `longest_run` (a thing picked up and put
 /// back), then putting a thing down that might as well stay in the hand; whatever fails for want of them goes too.
-/// `actions` ends with `stop`, which stays. nullopt when the goal does not hold after all of them.
-std::optional<std::vector<Action>> without_needless(ExecutionTree& executions, Mode mode, std::vector<Action> actions,
-                                                    std::size_t longest_run);
+/// `actions` ends with `stop`, which stays, as do the first `done`. nullopt when the goal does not hold after all of
+/// them.
+std::optional<std::vector<Action>> without_needless(ExecutionTree& executions, const ModeRules& rules,
+                                                    std::vector<Action> actions, std::size_t longest_run,
+                                                    std::size_t done = 0);
 
 /// A plan in which something that was put down is carried to the end: all that was done to it while it was in the hand
 /// comes last.

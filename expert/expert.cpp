@@ -153,7 +153,7 @@ std::variant<std::vector<Action>, Rejection> try_plans(ExecutionTree& executions
     if (!beginning.done.empty())
       return std::vector(actions.begin() + static_cast<std::ptrdiff_t>(beginning.done.size()), actions.end());
     // Only an attempt that had to change its mind leaves detours longer than a step.
-    auto needed = without_needless(executions, Mode::M1, actions, attempt.failures() == 0 ? 1 : 6);
+    auto needed = without_needless(executions, rules_of(Mode::M1), actions, attempt.failures() == 0 ? 1 : 6);
     if (needed) return std::move(*needed);
     last = {RejectionReason::GoalNotMet, missing_after(executions, actions)};
     for (const Literal& literal : choice->alternative.end) experience.literals.emplace_back(literal, 1.0);

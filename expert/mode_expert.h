@@ -6,18 +6,23 @@
 
 namespace unietp {
 
+class Household;
+
 /// A rejection from the goal alone, before any work on a start: the mode does not offer an action that every way to
 /// meet the goal needs, such as `read` in M3, where what is held cannot be named. nullopt does not promise that the
 /// mode can meet the goal. Reason `not-in-m2` or `not-in-m3`.
 std::optional<Rejection> ruled_out_in(Mode mode, const Formula& goal);
 
-/// Stage: the same goal under the rules of another mode, M2 or M3. What to do to which thing is planned as for M1, but
-/// with the actions that the mode offers (the plan of `shown`, the demonstration in M1, where it is one already); how
-/// to come to each thing follows the rules: looked for until the camera shows it, gone to only as the mode lets one,
-/// and in M3 pointed at with its box in the picture. No step can be left out: without it the goal is not met. Kept only
-/// if the goal holds on the executed trace within the limits of the mode. Deterministic. Rejections: stage `expert`,
-/// reason `not-in-m2` or `not-in-m3`; the detail says what stood in the way.
-std::variant<Demonstration, Rejection> demonstrate_in(Mode mode, ExecutionTree& executions, const Demonstration& shown);
+/// Stage: the same goal under the rules of another mode, M2 or M3. In M2 by what can be known there (belief_expert.h),
+/// with `usual` for where things usually are. In M3 what to do to which thing is planned as for M1, but with the
+/// actions that the mode offers (the plan of `shown`, the demonstration in M1, where it is one already); how to come to
+/// each thing follows the rules: looked for until the camera shows it, gone to only as the mode lets one, and pointed
+/// at with its box in the picture; no step can be left out. Kept only if the goal holds on the executed trace within
+/// the limits of the mode. Steps that only served to see something are marked; the plan of one who knows the whole home
+/// is kept beside it. Deterministic. Rejections: stage `expert`, reason `not-in-m2` or `not-in-m3`; the detail says
+/// what stood in the way.
+std::variant<Demonstration, Rejection> demonstrate_in(Mode mode, ExecutionTree& executions, const Demonstration& shown,
+                                                      const Household* usual = nullptr);
 std::variant<Demonstration, Rejection> demonstrate_in(Mode mode, const Formula& goal, const Scene& start,
                                                       const Knowledge& knowledge, const Profile& profile,
                                                       const Demonstration& shown);

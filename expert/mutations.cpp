@@ -52,7 +52,7 @@ std::vector<Block> blocks_of(const std::vector<Action>& actions) {
 class Mutator {
  public:
   Mutator(ExecutionTree& executions, Mode mode)
-      : start_(executions, mode), world_(executions.world()), goal_(executions.goal()) {}
+      : start_(executions, rules_of(mode)), world_(executions.world()), goal_(executions.goal()) {}
 
   bool survives(const std::vector<Action>& actions) const {
     Rollout rollout = start_;
@@ -60,10 +60,12 @@ class Mutator {
     return rollout.reaches_goal();
   }
 
-  void drop_each(const std::vector<Action>& actions, std::vector<std::string>& surviving) const {
+  /// Each step but those of a search, which nobody needs who knows what it shows.
+  void drop_each(const Demonstration& demonstration, const std::vector<Action>& actions,
+                 std::vector<std::string>& surviving) const {
     Rollout here = start_;
     for (std::size_t i = 0; i < actions.size(); ++i) {
-      if (actions[i].type != ActionType::Stop) {
+      if (actions[i].type != ActionType::Stop && !demonstration.steps[i].search) {
         Rollout without = here;
         without.go_on(std::span(actions).subspan(i + 1));
         if (without.reaches_goal()) {
@@ -156,7 +158,7 @@ std::vector<std::string> needless_steps(ExecutionTree& executions, const Demonst
   for (const DemonstrationStep& step : demonstration.steps) actions.push_back(step.action);
   const Mutator mutator(executions, demonstration.mode);
   std::vector<std::string> surviving;
-  mutator.drop_each(actions, surviving);
+  mutator.drop_each(demonstration, actions, surviving);
   mutator.leave_in_hand(actions, surviving);
   mutator.swap_neighbours(actions, surviving);
   const Trace start{executions.entities(), {executions.facts(executions.world())}};

@@ -21,8 +21,8 @@ Outcome do_in(ModeEpisode& episode, const Action& action) {
   return episode.step(*command);
 }
 
-Rollout::Rollout(ExecutionTree& executions, Mode mode)
-    : executions_(&executions), episode_(executions.world(), mode), moments_{executions.world().moment()} {}
+Rollout::Rollout(ExecutionTree& executions, const ModeRules& rules)
+    : executions_(&executions), episode_(executions.world(), rules), moments_{executions.world().moment()} {}
 
 Outcome Rollout::go_on(const Action& action) {
   Outcome outcome = do_in(episode_, action);

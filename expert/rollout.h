@@ -16,12 +16,12 @@ std::optional<Command> clearly_said(const ModeEpisode& episode, const Action& ac
 /// Says the action so and does it. What cannot be said fails and does not count.
 Outcome do_in(ModeEpisode& episode, const Action& action);
 
-/// Executes actions from the start of an execution tree under the rules of a mode, one after the other, whether they
+/// Executes actions from the start of an execution tree under rules, one after the other, whether they
 /// succeed or not. A copy costs next to nothing and is independent.
 class Rollout {
  public:
   /// The tree must outlive it.
-  Rollout(ExecutionTree& executions, Mode mode);
+  Rollout(ExecutionTree& executions, const ModeRules& rules);
 
   /// Executes one action more, or several.
   Outcome go_on(const Action& action);

@@ -44,18 +44,25 @@ void check_command(JsonReader& reader, const JsonAt& action, const JsonAt& args,
     reader.fail(args, command.action + " takes " + (wanted == 0 ? "no argument" : "one argument"));
 }
 
-StepRecord read_step(JsonReader& reader, const JsonAt& at) {
-  JsonFields fields(reader, at);
-  StepRecord step;
+Command read_command(JsonReader& reader, const JsonAt& at, JsonFields& fields) {
+  Command command;
   const auto action = fields.required("action");
   const auto args = fields.required("args");
   if (action && args) {
-    step.command = read_part(reader, at, command_from_json, Json{{"action", action->json}, {"args", args->json}});
-    check_command(reader, *action, *args, step.command);
+    command = read_part(reader, at, command_from_json, Json{{"action", action->json}, {"args", args->json}});
+    check_command(reader, *action, *args, command);
   }
+  return command;
+}
+
+StepRecord read_step(JsonReader& reader, const JsonAt& at) {
+  JsonFields fields(reader, at);
+  StepRecord step;
+  step.command = read_command(reader, at, fields);
   if (const auto f = fields.required("success")) step.success = reader.boolean(*f);
   if (const auto f = fields.required("failure")) step.failure = reader.text(*f);
   if (const auto f = fields.required("feedback")) step.feedback = text_or_empty(reader, *f);
+  if (const auto f = fields.required("search")) step.search = reader.boolean(*f);
   if (const auto f = fields.required("visible")) step.visible = read_visible(reader, *f);
   if (const auto f = fields.required("changes")) step.changes = read_part(reader, *f, delta_from_json, f->json);
   fields.finish();
@@ -73,6 +80,15 @@ Result<DemonstrationRecord> read_demonstration(std::string_view where, int line,
       const std::size_t count = reader.items(*f);
       for (std::size_t i = 0; i < count && !reader.error(); ++i)
         demonstration.steps.push_back(read_step(reader, reader.item(*f, i)));
+    }
+    if (const auto f = fields.optional("shortest")) {
+      const std::size_t count = reader.items(*f);
+      for (std::size_t i = 0; i < count && !reader.error(); ++i) {
+        const JsonAt item = reader.item(*f, i);
+        JsonFields command(reader, item);
+        demonstration.shortest.push_back(read_command(reader, item, command));
+        command.finish();
+      }
     }
   });
   if (!read) return read.error();

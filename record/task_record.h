@@ -39,6 +39,7 @@ struct TaskRecord {
   struct Count {
     Mode mode = Mode::M1;
     int steps = 0, failures = 0;
+    int shortest = 0;  // steps of the shortest plan kept beside it; 0 in M1, which has none
   };
   std::uint64_t run = 0;  // seed of the run
   int slot = 0, attempt = 0;
@@ -56,11 +57,13 @@ struct StepRecord {
   std::string failure, feedback;
   std::vector<VisibleObject> visible;
   Delta changes;
+  bool search = false;  // only served to see something
 };
 /// A line of demonstrations/<mode>.jsonl.
 struct DemonstrationRecord {
   std::string task, mode;
   std::vector<StepRecord> steps;
+  std::vector<Command> shortest = {};  // except in M1: a plan of one who is told everything
 };
 /// As read_task.
 Result<DemonstrationRecord> read_demonstration(std::string_view where, int line, std::string_view text);

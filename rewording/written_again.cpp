@@ -35,7 +35,8 @@ TaskEntry written_again(const TaskRecord& task, const Instruction& instruction) 
   entry.sense.grade = grade_named(task.grade).value_or(Grade::Senseless);
   for (const auto& part : task.sense)
     entry.sense.parts.push_back({part.part, {grade_named(part.grade).value_or(Grade::Senseless), 0, {}, part.why}});
-  for (const auto& count : task.expert) entry.expert.push_back({count.mode, count.steps, count.failures});
+  for (const auto& count : task.expert)
+    entry.expert.push_back({count.mode, count.steps, count.failures, count.shortest});
   entry.run_seed = task.run;
   entry.slot = task.slot;
   entry.attempt = task.attempt;
@@ -51,10 +52,11 @@ WrittenTask written_again(const TaskRecord& task, const Instruction& instruction
   for (const auto& [mode, demonstration] : shown) {
     std::vector<StepEntry> steps;
     for (const StepRecord& step : demonstration.steps) {
-      steps.push_back({step.command, step.success, step.failure, step.feedback, step.visible, step.changes});
+      steps.push_back(
+          {step.command, step.success, step.failure, step.feedback, step.visible, step.changes, step.search});
       written.row.actions.push_back(action_row(mode, steps.back()));
     }
-    written.shown.push_back(demonstration_line(task.id, mode, steps));
+    written.shown.push_back(demonstration_line(task.id, mode, steps, demonstration.shortest));
   }
   return written;
 }

@@ -192,7 +192,7 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
   timer.enter(Stage::OtherModes);
   for (const Mode mode : configuration.modes) {
     if (mode == Mode::M1) continue;
-    auto other = demonstrate_in(mode, *executions, task.demonstration);
+    auto other = demonstrate_in(mode, *executions, task.demonstration, grounding.household);
     if (auto* why = std::get_if<Rejection>(&other)) return rejected(std::move(*why));
     const auto missable = needless_steps(*executions, std::get<Demonstration>(other));
     if (!missable.empty())

@@ -14,6 +14,7 @@ constexpr std::string_view kReplayed = "equals what the replay gives";
 constexpr std::string_view kStart = "made again from goal, start constraints, home and seed; physics accepts it";
 constexpr std::string_view kDelta = "in a step: equals what the replay gives; in a start: made again";
 constexpr std::string_view kCounted = "counted again";
+constexpr std::string_view kShortest = "done by one who is told everything: reaches the goal, and needs each step";
 constexpr std::string_view kLedger = "equals the row of the table rejection";
 constexpr std::string_view kSettled = "physics rebuilds the scene: same relations, everything at rest";
 constexpr std::string_view kReadBack = "read back: means the goal, has the style, is of the set of phrasings";
@@ -57,8 +58,10 @@ constexpr std::array kFieldRules{
     FieldInfo{"task", "expert.M1.failures", Rule::Recomputed, kCounted},
     FieldInfo{"task", "expert.M2.steps", Rule::Recomputed, kCounted},
     FieldInfo{"task", "expert.M2.failures", Rule::Recomputed, kCounted},
+    FieldInfo{"task", "expert.M2.shortest_steps", Rule::Recomputed, kCounted},
     FieldInfo{"task", "expert.M3.steps", Rule::Recomputed, kCounted},
     FieldInfo{"task", "expert.M3.failures", Rule::Recomputed, kCounted},
+    FieldInfo{"task", "expert.M3.shortest_steps", Rule::Recomputed, kCounted},
     FieldInfo{"task", "seed.run", Rule::Recomputed, "the seed of the configuration"},
     FieldInfo{"task", "seed.slot", Rule::Recomputed, "the number in the id"},
     FieldInfo{"task", "seed.attempt", Rule::Recomputed, "the number of rejections of the slot"},
@@ -117,9 +120,12 @@ constexpr std::array kFieldRules{
     FieldInfo{"demonstration", "steps[].success", Rule::Recomputed, kReplayed},
     FieldInfo{"demonstration", "steps[].failure", Rule::Recomputed, kReplayed},
     FieldInfo{"demonstration", "steps[].feedback", Rule::Recomputed, kReplayed},
+    FieldInfo{"demonstration", "steps[].search", Rule::Recomputed, "whether one who is told everything needs the step"},
     FieldInfo{"demonstration", "steps[].visible[].id", Rule::Recomputed, kReplayed},
     FieldInfo{"demonstration", "steps[].visible[].box", Rule::Recomputed, kReplayed},
     FieldInfo{"demonstration", "steps[].changes", Rule::Recomputed, kReplayed},
+    FieldInfo{"demonstration", "shortest[].action", Rule::Compared, kShortest},
+    FieldInfo{"demonstration", "shortest[].args", Rule::Compared, kShortest},
     FieldInfo{"rejection", "format", Rule::Fixed, kFormat},
     FieldInfo{"rejection", "slot", Rule::Recomputed, "from the order of the candidates"},
     FieldInfo{"rejection", "attempt", Rule::Recomputed, "from the order of the candidates"},

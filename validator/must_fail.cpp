@@ -65,9 +65,13 @@ class PlanChanger {
   PlanChanger(const Formula& goal, const World& start, Mode mode, const TraceMaker& traces, std::string where)
       : goal_(goal), start_{ModeEpisode(start, mode), {}, {}}, traces_(traces), where_(std::move(where)) {}
 
-  void leave_out_each(const std::vector<Action>& plan) {
+  void leave_out_each(const std::vector<Action>& plan, const std::vector<bool>& search) {
     Rollout here = start_;
     for (std::size_t i = 0; i < plan.size(); ++i) {
+      if (i < search.size() && search[i]) {
+        here.act(plan[i]);
+        continue;
+      }
       Rollout without = here;
       const bool kept = puts_down(plan[i].type);
       if (reaches_goal(kept ? PlanChange::KeptInHand : PlanChange::MissingStep, without,
@@ -217,9 +221,9 @@ std::string_view name_of(PlanChange change) {
 }
 
 MustFail must_fail(const Formula& goal, const World& start, Mode mode, const TraceMaker& traces,
-                   const std::vector<Action>& plan, const std::string& where) {
+                   const std::vector<Action>& plan, const std::vector<bool>& search, const std::string& where) {
   PlanChanger changer(goal, start, mode, traces, where);
-  changer.leave_out_each(plan);
+  changer.leave_out_each(plan, search);
   changer.change_order(plan);
   changer.use_distractors(plan);
   return changer.take();

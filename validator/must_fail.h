@@ -38,8 +38,8 @@ struct MustFail {
 /// order, and with an excluded object in place of each referent. Actions whose object cannot be named at that point are
 /// skipped. A changed plan that reaches the goal is a problem; of the orders, one that fails is enough, since not every
 /// order matters, and no further one is tried. `plan`: the actions of the demonstration, with objects by their ids,
-/// without `stop`.
+/// without `stop`; `search`: which of them only served to see something, and so may be missing.
 MustFail must_fail(const Formula& goal, const World& start, Mode mode, const TraceMaker& traces,
-                   const std::vector<Action>& plan, const std::string& where);
+                   const std::vector<Action>& plan, const std::vector<bool>& search, const std::string& where);
 
 }  // namespace unietp

@@ -72,6 +72,8 @@ enum class ProblemKind : std::uint8_t {
   LeftInHand,
   AnyOrder,
   DistractorServes,
+  SearchMark,
+  ShortestPlan,
   // an instruction
   NoText,
   TextForm,

@@ -12,6 +12,7 @@
 #include "validator/must_fail.h"
 #include "validator/prove_start.h"
 #include "validator/replay.h"
+#include "validator/search_check.h"
 #include "validator/start_check.h"
 #include "validator/text_record.h"
 #include "validator/trace_maker.h"
@@ -164,7 +165,10 @@ class TaskProver {
     }
     if (!holds(*goal_, trace))
       found(ProblemKind::GoalNotReached, where_shown(mode), "its replay does not reach the goal " + task_.goal_text);
-    auto altered = must_fail(*goal_, world, mode, traces, done.plan, where_shown(mode));
+    const auto search = mode == Mode::M1 ? std::vector<bool>() : search_steps(*goal_, world, traces, done.plan);
+    found(check_marks(demonstration, search, where_shown(mode)));
+    found(check_shortest(*goal_, world, traces, task_, mode, demonstration, where_shown(mode)));
+    auto altered = must_fail(*goal_, world, mode, traces, done.plan, search, where_shown(mode));
     proof_.counts.altered_plans += static_cast<int>(altered.plans.size());
     found(std::move(altered.problems));
     if (!tools_.options.take_plan) return;

@@ -28,6 +28,7 @@ class DemonstrationStep:
     feedback: str  #: the sentence for the agent
     visible: list[dict[str, Any]]  #: in the picture before the step: {"id", "box"}
     changes: dict[str, Any]  #: of the scene graph (`changed`)
+    search: bool = False  #: only served to see something; a trainer may weigh it less
 
     def command(self) -> dict[str, Any]:
         """The action as an environment takes it: {"action", "args"}."""
@@ -257,6 +258,7 @@ def _demonstration(line: dict[str, Any]) -> Demonstration:
                 feedback=step["feedback"],
                 visible=step["visible"],
                 changes=step["changes"],
+                search=step["search"],
             )
             for step in line["steps"]
         ]

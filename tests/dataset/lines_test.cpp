@@ -35,7 +35,7 @@ TEST(Lines, ATaskFollowsItsSchema) {
   task.edits = {"added Mug mug_4"};
   task.changes = "{}";
   task.instruction = instruction("");
-  task.expert = {{Mode::M1, 3, 0}, {Mode::M3, 7, 1}};
+  task.expert = {{Mode::M1, 3, 0}, {Mode::M3, 7, 1, 4}};
   EXPECT_EQ(broken(line_of(task), "task.schema.json"), "");
   task.instruction = instruction("the model gave no answer");
   EXPECT_EQ(broken(line_of(task), "task.schema.json"), "");
@@ -54,7 +54,8 @@ TEST(Lines, ADemonstrationFollowsItsSchema) {
     const auto line =
         demonstration_line("ai2thor-00001", mode,
                            {{mode == Mode::M3 ? box : open, false, "too-far", "it is too far", visible, none},
-                            {stop, true, "none", "", {}, none}});
+                            {stop, true, "none", "", {}, none, false}},
+                           {open, stop});
     EXPECT_EQ(broken(line, "demonstration.schema.json"), "");
   }
 }

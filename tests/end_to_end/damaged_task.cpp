@@ -281,6 +281,16 @@ const std::vector<Corruption> kCorruptions{
        s.set_goal("(or " + goal + " " + goal.substr(0, where->from) + "(not " + f + ")" + goal.substr(where->to) + ")");
        return true;
      }},
+    {"ASearchInM1", "search-mark",
+     [](DamagedTask& s) {
+       steps_of(s).front()["search"] = true;
+       return true;
+     }},
+    {"AShortestPlanInM1", "shortest-plan",
+     [](DamagedTask& s) {
+       s.demonstration["shortest"] = Json::array({{{"action", "stop"}, {"args", Json::array()}}});
+       return true;
+     }},
     {"AStepThatIsNotNeeded", "needless-step", [](DamagedTask& s) { return ask_for_less(s, "go_to"); }},
     {"SomethingThatMayStayInTheHand", "left-in-hand", [](DamagedTask& s) { return ask_for_less(s, "place_on"); }},
     {"AnOrderThatDoesNotMatter", "any-order",

@@ -32,7 +32,7 @@ const HouseCase kModeCases[] = {
      "(exists (?c - Fridge) (exists (?x - Apple) (exists (?y - Mug) (and (before (inside ?x ?c) (inside ?y ?c)) "
      "(at-end (and (inside ?x ?c) (inside ?y ?c)))))))"},
     {"the_dirty_one", "(exists (?x - (Plate :where (dirty ?x))) (exists (?b - SideTable) (at-end (on ?x ?b))))",
-     all_dirty},
+     [](Scene& scene) { set_state(scene, "plate_1", Predicate::Dirty); }},
 };
 
 class InAnotherMode : public ::testing::TestWithParam<std::tuple<Mode, HouseCase>> {
@@ -88,6 +88,7 @@ TEST_P(InAnotherMode, IsShownByStepsThatReplayUnderItsRulesAndCannotBeMissed) {
 
   EXPECT_EQ(needless_steps(goal_, start_, demonstration, knowledge_, profile_), std::vector<std::string>());
   for (std::size_t i = 0; i + 1 < actions.size(); ++i) {
+    if (demonstration.steps[i].search) continue;
     auto without = actions;
     without.erase(without.begin() + static_cast<std::ptrdiff_t>(i));
     EXPECT_FALSE(holds_after(without)) << "without step " << i + 1 << " " << to_text(actions[i]);
@@ -120,7 +121,6 @@ TEST(ModeExpert, LooksInM2ForWhatItUsesAndNamesInM3NothingButRoomsById) {
     for (const Argument& argument : step.command.args)
       EXPECT_TRUE(argument.box || find_room(start, argument.id)) << to_text(step.command);
   }
-  EXPECT_GE(m3.steps.size(), m2.steps.size());
 }
 
 TEST(ModeExpert, SaysWhatStandsInTheWayWhenAModeHasNoDemonstration) {

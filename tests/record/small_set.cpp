@@ -17,7 +17,7 @@ std::string task_line(const std::string& id, std::size_t padding) {
 
 std::string shown_line(const std::string& id) {
   return R"({"format":"unietp-demonstration/1","task":")" + id +
-         R"(","mode":"M1","steps":[{"action":"stop","args":[],"success":true,"failure":"none","feedback":"","visible":[],"changes":{}}]})";
+         R"(","mode":"M1","steps":[{"action":"stop","args":[],"success":true,"failure":"none","feedback":"","search":false,"visible":[],"changes":{}}]})";
 }
 
 SmallSet::SmallSet()

@@ -23,15 +23,15 @@ Json sound_task() {
     "instruction":{"text":"Open a fridge.","writer":"grammar","style":"direct","checks":["parses-back"]},
     "purpose":{"name":"preparing","because":["refrigerator is closed"]},
     "sense":{"grade":"tolerable","parts":[{"part":"open fridge","grade":"tolerable","why":"written"}]},
-    "expert":{"M1":{"steps":3,"failures":0},"M3":{"steps":30,"failures":2}},"seed":{"run":1,"slot":0,"attempt":0}})text");
+    "expert":{"M1":{"steps":3,"failures":0},"M3":{"steps":30,"failures":2,"shortest_steps":9}},"seed":{"run":1,"slot":0,"attempt":0}})text");
 }
 
 Json sound_demonstration() {
   return Json::parse(R"text({"format":"unietp-demonstration/1","task":"ai2thor-00001","mode":"M1","steps":[
-    {"action":"go_to","args":["fridge_1"],"success":true,"failure":"none","feedback":"",
+    {"action":"go_to","args":["fridge_1"],"success":true,"failure":"none","feedback":"","search":false,
      "visible":[{"id":"fridge_1","box":[0,1,2,3]}],"changes":{"removed":["mug_1"]}},
-    {"action":"open","args":[{"bbox":[4,5,60,70]}],"success":true,"failure":"none","feedback":"","visible":[],"changes":{}},
-    {"action":"stop","args":[],"success":true,"failure":"none","feedback":"","visible":[],"changes":{}}]})text");
+    {"action":"open","args":[{"bbox":[4,5,60,70]}],"success":true,"failure":"none","feedback":"","search":false,"visible":[],"changes":{}},
+    {"action":"stop","args":[],"success":true,"failure":"none","feedback":"","search":false,"visible":[],"changes":{}}]})text");
 }
 
 TEST(ReadTask, TakesASoundLine) {

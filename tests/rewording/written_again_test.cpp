@@ -32,7 +32,7 @@ TaskEntry some_task() {
   task.edits = {"added Mug mug_4", "\"quoted\" \xC3\xA9"};
   task.changes = delta_to_json(some_changes());
   task.instruction = instruction("Open a fridge.", "the model gave no answer");
-  task.expert = {{Mode::M1, 2, 1}, {Mode::M3, 1, 0}};
+  task.expert = {{Mode::M1, 2, 1}, {Mode::M3, 1, 0, 2}};
   task.run_seed = 9007199254740991;
   task.slot = 3;
   task.attempt = 4;
@@ -47,7 +47,8 @@ TEST(WrittenAgain, ATaskAndItsDemonstrationsStayAsTheyWere) {
   const auto in_m1 = demonstration_line(
       "ai2thor-00001", Mode::M1,
       {{open, false, "too-far", "it is too far", visible, some}, {stop, true, "none", "", {}, none}});
-  const auto in_m3 = demonstration_line("ai2thor-00001", Mode::M3, {{box, true, "none", "", {}, none}});
+  const auto in_m3 =
+      demonstration_line("ai2thor-00001", Mode::M3, {{box, true, "none", "", {}, none, true}}, {open, stop});
   const auto task = read_task("t", 1, line);
   ASSERT_TRUE(task) << format(task.error());
   const auto first = read_demonstration("d", 1, in_m1), second = read_demonstration("d", 1, in_m3);

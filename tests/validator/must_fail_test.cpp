@@ -8,6 +8,7 @@
 
 #include "expert/mode_expert.h"
 #include "tests/expert/house.h"
+#include "validator/search_check.h"
 
 namespace unietp::testing {
 namespace {
@@ -26,9 +27,15 @@ class AlteredPlans : public ::testing::TestWithParam<Mode> {
       if (step.action.type != ActionType::Stop) plan.push_back(step.action);
     return plan;
   }
-  MustFail altered(const std::string& text, const std::vector<Action>& plan) const {
+  /// Which steps of a plan only serve to see something; in M1 none does.
+  std::vector<bool> search_in(const std::string& text, const std::vector<Action>& plan) const {
+    if (GetParam() == Mode::M1) return {};
+    return search_steps(goal(text), *World::create(start_, knowledge_, profile_), TraceMaker(start_, false, false),
+                        plan);
+  }
+  MustFail altered(const std::string& text, const std::vector<Action>& plan, const std::vector<bool>& search) const {
     const auto world = World::create(start_, knowledge_, profile_);
-    return must_fail(goal(text), *world, GetParam(), TraceMaker(start_, false, false), plan, "M.jsonl:1");
+    return must_fail(goal(text), *world, GetParam(), TraceMaker(start_, false, false), plan, search, "M.jsonl:1");
   }
 
   const Knowledge knowledge_ = house_knowledge();
@@ -40,9 +47,10 @@ constexpr const char* kCooled = "(exists (?x - Mug) (exists (?b - SideTable) (at
 
 TEST_P(AlteredPlans, FailWhereEveryStepIsNeeded) {
   const auto plan = plan_for(kCooled);
-  const auto found = altered(kCooled, plan);
+  const auto search = search_in(kCooled, plan);
+  const auto found = altered(kCooled, plan, search);
   EXPECT_THAT(found.problems, IsEmpty());
-  EXPECT_GE(found.plans.size(), plan.size());
+  EXPECT_GE(found.plans.size() + static_cast<std::size_t>(std::count(search.begin(), search.end(), true)), plan.size());
   for (const AlteredPlan& one : found.plans) {
     EXPECT_FALSE(one.reaches_goal);
     EXPECT_EQ(one.commands.back().action, "stop");
@@ -60,25 +68,26 @@ TEST_P(AlteredPlans, GiveAwayAStepThatIsNotNeeded) {
   plan.insert(plan.begin(), Action{ActionType::TurnLeft, {}});
   plan.insert(plan.begin() + 1, Action{ActionType::TurnRight, {}});
   plan.push_back({ActionType::TurnLeft, {}});
-  const auto found = altered(kCooled, plan);
+  const auto found = altered(kCooled, plan, {});  // as if nothing had been marked
   ASSERT_FALSE(found.problems.empty());
   EXPECT_EQ(found.problems.back().kind, ProblemKind::NeedlessStep);
   EXPECT_THAT(found.problems.back().error.message, HasSubstr("turn_left"));
 }
 
-/// In M3 what a plan points at in another order is not what its looks show then, so that it fails all the same.
+/// In M2 and M3 what a plan names in another order was not seen or is not in view then, so that it fails all the same.
 class AlteredOrders : public AlteredPlans {};
 
 TEST_P(AlteredOrders, GiveAwayAnOrderThatTheGoalDoesNotNeed) {
   const std::string either =
       "(exists (?x - Apple) (exists (?y - Mug) (exists (?b - SideTable) (and (or (before (on ?x ?b) (on ?y ?b)) "
       "(before (on ?y ?b) (on ?x ?b))) (at-end (and (on ?x ?b) (on ?y ?b)))))))";
-  const auto found = altered(either, plan_for(either));
+  const auto plan = plan_for(either);
+  const auto found = altered(either, plan, search_in(either, plan));
   ASSERT_EQ(found.problems.size(), 1U);
   EXPECT_EQ(found.problems[0].kind, ProblemKind::AnyOrder);
 }
 
-INSTANTIATE_TEST_SUITE_P(InEachMode, AlteredOrders, ::testing::Values(Mode::M1, Mode::M2),
+INSTANTIATE_TEST_SUITE_P(InEachMode, AlteredOrders, ::testing::Values(Mode::M1),
                          [](const auto& mode) { return std::string(name_of(mode.param)); });
 INSTANTIATE_TEST_SUITE_P(InEachMode, AlteredPlans, ::testing::Values(Mode::M1, Mode::M2, Mode::M3),
                          [](const auto& mode) { return std::string(name_of(mode.param)); });

@@ -1,0 +1,477 @@
+#include "expert/belief_expert.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <set>
+#include <span>
+#include <utility>
+
+#include "core/text.h"
+#include "expert/achievers.h"
+#include "expert/belief.h"
+#include "expert/execution.h"
+#include "expert/search_order.h"
+#include "simulation/known_start.h"
+#include "simulation/relations.h"
+
+namespace unietp {
+namespace {
+
+constexpr double kEnough = 0.15;        // of the chances to find more of what the goal speaks of all of
+constexpr int kMostThoroughSteps = 20;  // spent on that
+constexpr int kStepsForTheRest = 4;     // at least, after what is needed was found
+constexpr std::size_t kLongestRun = 3;
+constexpr double kStray_m = 0.01;  // from where a step should have led
+
+bool one_of(const std::vector<std::string>& list, const std::string& one) {
+  return std::find(list.begin(), list.end(), one) != list.end();
+}
+
+Profile profile_of_m2(Profile profile) {
+  for (const ActionInfo& action : all_actions()) {
+    if (!offers(action, Mode::M2)) profile.actions[static_cast<std::size_t>(action.type)] = false;
+  }
+  return profile;
+}
+
+/// The categories that can bring a state about, where no thing is in that state by hand alone: any of them will do.
+std::vector<std::string> tools_for(const WantedState& wanted, const std::string& category, const Knowledge& knowledge,
+                                   const Profile& profile) {
+  std::vector<std::string> tools;
+  Predicate predicate = wanted.state.predicate;
+  if (!wanted.positive) {
+    if (predicate == Predicate::Covered) {
+      for (const Effect* effect : knowledge.effects_on(category, Treatment::Wipes)) tools.push_back(effect->tool);
+      return tools;
+    }
+    const auto other = opposite_of(predicate);
+    if (!other) return {};
+    predicate = *other;
+  }
+  const std::string& symbol = wanted.state.symbol;
+  for (const Achiever& way : achievers_of(predicate, profile)) {
+    if (way.kind == AchieverKind::Direct) {
+      if (knowledge.has(category, way.affordance)) return {};
+      continue;
+    }
+    if (!way.treatment) continue;
+    for (const Effect* effect : knowledge.effects_on(category, *way.treatment)) {
+      if (symbol.empty() || symbol == "any" || effect->gives == symbol) tools.push_back(effect->tool);
+    }
+  }
+  return tools;
+}
+
+/// Looks, plans and acts behind a window.
+class BeliefExpert {
+ public:
+  BeliefExpert(const Errand& errand, Window& window)
+      : errand_(errand),
+        window_(window),
+        needs_(search_needs(errand.goal)),
+        profile_(profile_of_m2(errand.profile)),
+        belief_(window.told(), needs_, relevant()),
+        order_(window.told(), errand.knowledge, errand.usual, needs_.shut) {}
+
+  std::optional<Trouble> run() {
+    see();
+    while (!gave_up_) {
+      if (has_plan()) {
+        if (follow()) return std::nullopt;
+      } else if (!may_plan() || !make_plan()) {
+        search();
+      }
+    }
+    return trouble_;
+  }
+
+ private:
+  int steps_left() const { return rules_of(Mode::M2).limits.steps - steps_; }
+  bool has_plan() const { return next_ < plan_.size(); }
+  void give_up(std::string why, Failure failure = Failure::NotSeenYet) {
+    trouble_ = {std::move(why), failure};
+    gave_up_ = true;
+  }
+
+  std::set<std::string> relevant() const {
+    std::set<std::string> all;
+    for (const std::string& category : categories_of(errand_.goal)) all.insert(category);
+    for (const WantedState& wanted : needs_.states) {
+      if (wanted.stated) continue;
+      for (const std::string& category : wanted.categories) {
+        for (std::string& tool : tools_for(wanted, category, errand_.knowledge, profile_)) all.insert(std::move(tool));
+      }
+    }
+    return all;
+  }
+
+  void see() {
+    const std::vector<Node> view = window_.view();
+    belief_.see(view, window_.body());
+    for (const Node& node : view) order_.glimpsed(node.id);
+  }
+
+  /// False when it could not be done.
+  bool act(const Action& action) {
+    const Outcome outcome = window_.act(action);
+    if (!outcome.success) {
+      trouble_ = {to_text(action) + ": " + outcome.feedback, outcome.failure};
+      return false;
+    }
+    ++steps_;
+    if (told_world_) (void)told_world_->step(action);
+    if (acted_) foresee(action);
+    see();
+    return true;
+  }
+
+  bool is_known(const std::string& category) const {
+    if (belief_.count(category) > 0) return true;
+    const auto& rooms = belief_.scene().rooms;
+    return std::any_of(rooms.begin(), rooms.end(), [&](const Room& room) { return room.type == category; });
+  }
+  int known_of(const std::vector<std::string>& categories) const {
+    int known = 0;
+    for (const std::string& category : categories) {
+      known += belief_.count(category);
+      for (const Room& room : belief_.scene().rooms) known += room.type == category ? 1 : 0;
+    }
+    return known;
+  }
+  bool is_movable(const std::string& category) const {
+    const Category* known = errand_.knowledge.find(category);
+    return known != nullptr && known->movable;
+  }
+
+  void add_targets(std::vector<SearchTarget>& targets, const SearchNeed& need) const {
+    for (const std::string& category : need.categories) {
+      if (is_movable(category)) targets.push_back({category, need.places, need.rooms, need.floor});
+    }
+  }
+
+  /// What has to be found before it is worth while to plan; empty when nothing has.
+  std::vector<SearchTarget> missing() const {
+    std::vector<SearchTarget> targets;
+    for (const SearchNeed& need : needs_.needs) {
+      if (known_of(need.categories) < need.at_least) add_targets(targets, need);
+    }
+    if (!targets.empty()) return targets;
+    for (const WantedState& wanted : needs_.states) {
+      if (wanted.stated) continue;
+      for (const std::string& category : wanted.categories) {
+        const auto tools = tools_for(wanted, category, errand_.knowledge, profile_);
+        if (tools.empty() ||
+            std::any_of(tools.begin(), tools.end(), [this](const auto& tool) { return is_known(tool); }))
+          continue;
+        for (const std::string& tool : tools) targets.push_back({tool});
+      }
+    }
+    return targets;
+  }
+
+  /// Of what the goal speaks of all of, where there may well be more.
+  std::vector<SearchTarget> overlooked() const {
+    std::vector<SearchTarget> targets;
+    if (steps_ >= kMostThoroughSteps) return targets;
+    for (const SearchNeed& need : needs_.needs) {
+      if (!need.every) continue;
+      std::vector<SearchTarget> all;
+      add_targets(all, need);
+      for (SearchTarget& target : all) {
+        if (order_.unseen_share(target, belief_) > kEnough) targets.push_back(std::move(target));
+      }
+    }
+    return targets;
+  }
+
+  bool may_plan() {
+    if (planned_at_ == belief_.news()) return false;  // nothing new since it did not work
+    return acted_ || (missing().empty() && overlooked().empty());
+  }
+
+  /// Gives a believed scene its relations.
+  static KnownStart read_relations_of(Scene& scene) {
+    KnownStart known{.physics = physics_of(scene)};
+    known.links = LinkTable(scene, known.physics);
+    scene.edges = known.links->edges(scene);
+    return known;
+  }
+
+  /// What is believed of the home as it was when the first plan was made: with what has come into view since, as it is
+  /// unless the agent itself has changed it.
+  Scene believed_before() const {
+    if (done_.empty()) return belief_.scene();
+    Scene before = *believed_scene_;
+    NodeIndex places(before.nodes);
+    for (const Node& node : belief_.scene().nodes) {
+      if (touched_.contains(node.id)) continue;
+      if (const auto place = places.find(node.id)) {
+        if (before.nodes[*place] != node) before.nodes.edit(*place) = node;
+      } else if (node.slice_of.empty()) {
+        before.nodes.push_back(node);
+      }
+    }
+    return before;
+  }
+
+  /// A world made of what is believed, where the agent does again what it has done since the first plan, and how to go
+  /// on from there: the rest of the present plan if it still works, else another.
+  bool make_plan() {
+    planned_at_ = belief_.news();
+    auto scene = std::make_unique<Scene>(believed_before());
+    KnownStart known = read_relations_of(*scene);
+    auto made = ExecutionTree::of(errand_.goal, *scene, errand_.knowledge, errand_.profile, std::move(known));
+    if (!made) return false;
+    auto tree = std::make_unique<ExecutionTree>(std::move(*made));
+    ModeRules rules = rules_of(Mode::M2);
+    rules.movables = true;  // all that is believed was seen
+    rules.limits.steps = steps_left() + static_cast<int>(done_.size());
+    std::optional<std::vector<Action>> plan = done_.empty() ? std::nullopt : the_rest(*tree, rules);
+    if (!plan) plan = another_plan(*tree, rules);
+    if (!plan) return false;
+    if (plan->size() == 1 && !acted_) {
+      trouble_ = {"all that was seen is as it should be", Failure::NotSeenYet};
+      return false;  // there must be something to do: it was not seen yet
+    }
+    plan_ = std::move(*plan);
+    next_ = 0;
+    foreseen_ = std::make_unique<World>(tree->world());
+    for (const Action& action : done_) (void)foreseen_->step(action);
+    believed_ = std::move(tree);
+    believed_scene_ = std::move(scene);
+    return true;
+  }
+
+  /// What is left of the plan, if it reaches the goal.
+  std::optional<std::vector<Action>> the_rest(ExecutionTree& tree, const ModeRules& rules) const {
+    const std::span left = std::span(plan_).subspan(std::min(next_, plan_.size()));
+    if (left.empty()) return std::nullopt;
+    Rollout rollout(tree, rules);
+    rollout.go_on(done_);
+    rollout.go_on(left);
+    if (rollout.done().size() != done_.size() + left.size() || !rollout.reaches_goal()) return std::nullopt;
+    return std::vector(left.begin(), left.end());
+  }
+
+  std::optional<std::vector<Action>> another_plan(ExecutionTree& tree, const ModeRules& rules) {
+    const ExpertOptions options{.max_steps = rules.limits.steps, .mode = Mode::M2};
+    auto found = find_plan_from(tree, {done_, {}, false}, options);
+    if (auto* why = std::get_if<Rejection>(&found)) {
+      trouble_ = {std::string(name_of(why->reason)) + ": " + why->detail, why->failure};
+      return std::nullopt;
+    }
+    std::vector<Action> whole = done_;
+    const auto& rest = std::get<std::vector<Action>>(found);
+    whole.insert(whole.end(), rest.begin(), rest.end());
+    auto explored = explore(rules, tree, std::move(whole), options);
+    if (auto* why = std::get_if<Trouble>(&explored)) {
+      trouble_ = std::move(*why);
+      return std::nullopt;
+    }
+    auto& done = std::get<std::vector<Action>>(explored);
+    done.push_back({ActionType::Stop, {}});
+    if (done.size() <= done_.size() || !std::equal(done_.begin(), done_.end(), done.begin())) {
+      trouble_ = {"what was done does not fit what was seen"};
+      return std::nullopt;
+    }
+    const auto plan = without_needless(tree, rules, std::move(done), kLongestRun, done_.size());
+    if (!plan) return std::nullopt;
+    return std::vector(plan->begin() + static_cast<std::ptrdiff_t>(done_.size()), plan->end());
+  }
+
+  /// One step of the plan; true when it was the last.
+  bool follow() {
+    if (concerns_plan()) {
+      if (!make_plan()) plan_.clear();
+      return false;
+    }
+    if (std::exchange(strayed_, false)) (void)make_plan();  // else on with what was planned for another spot
+    const Action action = plan_[next_++];
+    if (action.type == ActionType::Stop) return window_.act(action).success;
+    if (!act_as_planned(action)) {
+      give_up("for " + to_text(action) + ": " + trouble_.text, trouble_.failure);
+      return false;
+    }
+    acted_ = true;
+    return false;
+  }
+
+  /// Takes in what an action must have changed.
+  void foresee(const Action& action) {
+    done_.push_back(action);
+    (void)foreseen_->step(action);
+    for (const Node& node : foreseen_->changes().nodes) touched_.insert(node.id);
+    belief_.foresee(foreseen_->changes());
+  }
+
+  bool act_as_planned(const Action& action) {
+    const Outcome outcome = window_.act(action);
+    if (!outcome.success) {
+      trouble_ = {outcome.feedback, outcome.failure};
+      return false;
+    }
+    ++steps_;
+    foresee(action);
+    const int before = belief_.news();
+    see();
+    surprised_ = surprised_ || belief_.news() != before || in_the_way();
+    strayed_ = (foreseen_->agent().position - window_.body().position).norm() > kStray_m;
+    return true;
+  }
+
+  /// Something came into view where the plan puts something down.
+  bool in_the_way() const {
+    for (auto action = plan_.begin() + static_cast<std::ptrdiff_t>(next_); action != plan_.end(); ++action) {
+      if (action->type != ActionType::PlaceOn && action->type != ActionType::PlaceIn) continue;
+      const Node* target = belief_.find(action->args.front());
+      if (target == nullptr) continue;
+      const Bounds there = bounds_of(target->pose, target->size);
+      const auto is_there = [&](const std::string& id) {
+        const Node& node = *belief_.find(id);
+        return id != target->id && node.movable && !one_of(window_.body().held, id) &&
+               overlap(there, bounds_of(node.pose, node.size), kTouch_m);
+      };
+      if (std::any_of(belief_.moved().begin(), belief_.moved().end(), is_there)) return true;
+    }
+    return false;
+  }
+
+  /// News that the plan was not made for: of what the goal speaks of all of, of what the plan goes to, or of what is in
+  /// its way.
+  bool concerns_plan() {
+    if (!std::exchange(surprised_, false)) return false;
+    if (in_the_way()) return true;
+    const Node* news = belief_.find(belief_.last_news());
+    if (news == nullptr) return false;
+    for (const SearchNeed& need : needs_.needs) {
+      if (need.every && one_of(need.categories, news->category)) return true;
+    }
+    const auto uses = [&](const Action& action) { return !action.args.empty() && action.args.front() == news->id; };
+    return std::any_of(plan_.begin() + static_cast<std::ptrdiff_t>(next_), plan_.end(), uses);
+  }
+
+  static std::string names_of(const std::vector<SearchTarget>& targets) {
+    std::vector<std::string> names;
+    for (const SearchTarget& target : targets) names.push_back(target.category);
+    return join(names, ", ");
+  }
+
+  /// Enough is known to try a plan that was not tried yet.
+  bool found_enough() const { return planned_at_ != belief_.news() && missing().empty(); }
+
+  /// The home as it was told, to see where one can stand and what can be opened.
+  const World* told_world() {
+    if (!told_world_) {
+      auto world = World::create(window_.told(), errand_.knowledge, errand_.profile);
+      if (!world) return nullptr;
+      told_world_ = std::make_unique<World>(std::move(*world));
+    }
+    return told_world_.get();
+  }
+  bool would_work(const SearchOrder::Look& look) {
+    const World* told = told_world();
+    if (told == nullptr) return true;
+    World trial = *told;
+    if (!trial.step({ActionType::GoTo, {look.id}}).success) {
+      order_.give_up(look.id);
+      return false;
+    }
+    const Node* place = belief_.find(look.id);
+    if (!look.opens) return true;
+    const bool runs = errand_.profile.open_needs_power_off && place->states.has(Predicate::PowerOn);
+    if (!runs && trial.step({ActionType::Open, {look.id}}).success) return true;
+    order_.keep_shut(look.id);
+    return false;
+  }
+
+  /// The steps to a view of a place from another angle than before.
+  std::vector<Action> way_to_look(const SearchOrder::Look& look) {
+    const Action go{ActionType::GoTo, {look.id}};
+    const bool here = at_ == look.id;
+    if (look.room && look.before > 0) {
+      const double turns = std::max(1.0, std::round(90 / errand_.profile.turn_deg));
+      std::vector<Action> way(static_cast<std::size_t>(turns), {ActionType::TurnLeft, {}});
+      if (!here) way.insert(way.begin(), go);
+      return way;
+    }
+    if (look.before == 1 && !look.opens)
+      return here ? std::vector<Action>{{ActionType::LookDown, {}}} : std::vector{go, {ActionType::LookDown, {}}};
+    if (look.before == 2 && !look.opens) return {go, {ActionType::LookUp, {}}};
+    if (look.before >= 3 && !look.opens) {
+      const auto others = order_.beside(look.id);
+      const auto other = static_cast<std::size_t>(look.before - 3);
+      if (other < others.size()) return {{ActionType::GoTo, {others[other]}}, {ActionType::TurnTo, {look.id}}};
+    }
+    if (here) return {};
+    return {go};
+  }
+
+  /// One look where something needed may be.
+  void search() {
+    if (steps_left() <= kStepsForTheRest)
+      return give_up("too long a search for " + names_of(missing()) + "; " + trouble_.text);
+    auto targets = missing();
+    if (targets.empty()) targets = overlooked();
+    if (targets.empty()) {
+      for (const SearchNeed& need : needs_.needs) {
+        for (const std::string& category : need.categories)
+          targets.push_back({category, need.places, need.rooms, need.floor});
+      }
+    }
+    auto look = order_.next(targets, belief_, at_);
+    while (look && !would_work(*look)) look = order_.next(targets, belief_, at_);
+    if (!look) return give_up("nowhere left to look for " + names_of(targets) + "; " + trouble_.text);
+    if (!look_there(*look)) give_up("in search: " + trouble_.text, trouble_.failure);
+  }
+
+  /// False when something failed.
+  bool look_there(const SearchOrder::Look& look) {
+    const auto way = way_to_look(look);
+    for (const Action& action : way) {
+      World trial = *told_world();
+      if (!trial.step(action).success) break;
+      if (!act(action)) return false;
+      at_ = action.type == ActionType::GoTo ? action.args.front() : at_;
+      if (action != way.back() && found_enough()) break;
+    }
+    if (look.opens && !(look.before == 0 && found_enough())) {
+      const Node* place = belief_.find(look.id);
+      if (!place->states.has(Predicate::Open) && !act({ActionType::Open, {look.id}})) return false;
+    }
+    order_.looked_at(look.id, belief_);
+    return true;
+  }
+
+  const Errand& errand_;
+  Window& window_;
+  SearchNeeds needs_;
+  Profile profile_;
+  Belief belief_;
+  SearchOrder order_;
+
+  std::vector<Action> plan_;
+  std::size_t next_ = 0;
+  int planned_at_ = -1;                    // the news when it was made, or could not be made
+  std::unique_ptr<Scene> believed_scene_;  // before the first plan
+  std::unique_ptr<ExecutionTree> believed_;
+  std::unique_ptr<World> foreseen_;             // where the plan should have led by now
+  std::vector<Action> done_;                    // since the first plan
+  std::set<std::string, std::less<>> touched_;  // what that changed
+
+  std::unique_ptr<World> told_world_;
+
+  std::string at_;  // the place that it looked at last
+  int steps_ = 0;
+  bool acted_ = false, gave_up_ = false;
+  bool surprised_ = false, strayed_ = false;  // by the last step: something came into view; it led elsewhere
+  Trouble trouble_;
+};
+
+}  // namespace
+
+std::optional<Trouble> reach_by_belief(const Errand& errand, Window& window) {
+  return BeliefExpert(errand, window).run();
+}
+
+}  // namespace unietp

@@ -1,0 +1,26 @@
+#include "expert/search_marks.h"
+
+#include "expert/rollout.h"
+
+namespace unietp {
+
+bool may_be_search(ActionType type) {
+  const ActionClass group = info(type).group;
+  return group == ActionClass::Movement || group == ActionClass::Reach || type == ActionType::Open ||
+         type == ActionType::Close;
+}
+
+void mark_search(ExecutionTree& executions, Demonstration& demonstration) {
+  Rollout here(executions, rules_of(Mode::M1));
+  for (auto step = demonstration.steps.begin(); step != demonstration.steps.end(); ++step) {
+    if (may_be_search(step->action.type)) {
+      Rollout without = here;
+      for (auto later = std::next(step); later != demonstration.steps.end(); ++later)
+        (void)without.go_on(later->action);
+      step->search = without.reaches_goal();
+    }
+    (void)here.go_on(step->action);
+  }
+}
+
+}  // namespace unietp

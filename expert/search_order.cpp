@@ -1,0 +1,182 @@
+#include "expert/search_order.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace unietp {
+namespace {
+
+// What is left of a chance after so many looks, each from another angle.
+constexpr std::array kLeftOfFurniture{1.0, 0.12, 0.08, 0.05, 0.02, 0.0};
+constexpr std::array kLeftOfRoom{1.0, 0.75, 0.5, 0.25, 0.0, 0.0};
+constexpr double kGlimpsed = 0.4;    // of what is on something that was in view from elsewhere
+constexpr double kElsewhere = 0.02;  // of the chance of a place that the goal does not name, where it names others
+constexpr double kOddRoom = 0.1;     // of the chance in a room that the knowledge base does not name
+constexpr double kOdd = 1e-4;        // chance of a place where such things are not known to be
+constexpr double kOnFloor = 1e-3;    // of a room
+constexpr double kLeast = 1e-9;
+constexpr double kBeside_m = 3;
+constexpr double kPerMetre = 0.05;  // steps that a metre of way counts for
+
+bool has(const std::vector<std::string>& list, const std::string& one) {
+  return std::find(list.begin(), list.end(), one) != list.end();
+}
+
+double left_after(const std::array<double, 6>& left, int looks) {
+  return left[std::min<std::size_t>(static_cast<std::size_t>(looks), left.size() - 1)];
+}
+
+}  // namespace
+
+SearchOrder::SearchOrder(const Scene& told, const Knowledge& knowledge, const Household* usual,
+                         std::set<std::string> shut)
+    : knowledge_(knowledge), usual_(usual), shut_(std::move(shut)) {
+  for (const Node& node : told.nodes) {
+    ++of_category_[node.category];
+    Place place{node.id, node.category};
+    place.position = node.pose.position.head<2>();
+    if (const Room* room = room_at(told, place.position)) place.room_type = room->type;
+    places_.push_back(std::move(place));
+  }
+  for (const Room& room : told.rooms) {
+    Place place{room.id, "", room.type};
+    for (const Vec2& corner : room.polygon) place.position += corner / static_cast<double>(room.polygon.size());
+    places_.push_back(std::move(place));
+  }
+  for (std::size_t i = 0; i < places_.size(); ++i) place_of_[places_[i].id] = i;
+}
+
+SearchOrder::Place* SearchOrder::find(const std::string& id) {
+  const auto found = place_of_.find(id);
+  return found == place_of_.end() ? nullptr : &places_[found->second];
+}
+
+SearchOrder::Chance SearchOrder::chance(const SearchTarget& target, const Place& place, const Belief& belief) const {
+  const bool fits = target.rooms.empty() || has(target.rooms, place.room_type);
+  const double suits = usual_ == nullptr ? 1 : usual_->in_room(target.category, place.room_type);
+  if (place.category.empty()) {
+    if (target.floor) return {fits ? 1.0 : 0.0, 0};
+    return {(fits ? kOnFloor : kOnFloor * kElsewhere) * (target.places.empty() ? suits : kElsewhere), 0};
+  }
+  if (place.category == target.category && !belief.has_seen(place.id)) return {1, 0};
+  const auto number = static_cast<double>(of_category_.find(place.category)->second);
+  const auto of = [&](Predicate relation) {
+    const Placement* known = knowledge_.placement(target.category, relation, place.category);
+    if (usual_ != nullptr) {
+      if (const auto* there = usual_->place(target.category, relation, place.category)) return there->weight * suits;
+      return known == nullptr ? 0.0 : kOdd;
+    }
+    if (known == nullptr) return 0.0;
+    const Category* category = knowledge_.find(target.category);
+    return known->likelihood * (category->rooms.empty() || has(category->rooms, place.room_type) ? 1 : kOddRoom);
+  };
+  Chance chance{of(Predicate::On) / number, of(Predicate::Inside) / number};
+  double factor = fits ? 1 : kElsewhere;
+  if (target.floor) factor *= kElsewhere;
+  if (has(target.places, place.category)) {
+    chance.on += 1;
+    chance.inside += 1;
+  } else if (!target.places.empty()) {
+    factor *= kElsewhere;
+  }
+  return {chance.on * factor, chance.inside * factor};
+}
+
+bool SearchOrder::is_shut(const Place& place, const Belief& belief) {
+  const Node* node = belief.find(place.id);
+  return node != nullptr && node->openable && !node->states.has(Predicate::Open);
+}
+
+double SearchOrder::left_on(const Place& place, int looks) {
+  if (place.given_up) return 0;
+  if (place.category.empty()) return left_after(kLeftOfRoom, looks);
+  return looks == 0 && place.glimpsed ? kGlimpsed : left_after(kLeftOfFurniture, looks);
+}
+
+double SearchOrder::left_inside(const Place& place, bool shut, int looks) const {
+  if (place.given_up) return 0;
+  if (shut) return place.stays_shut || shut_.contains(place.category) ? 0 : 1;
+  return left_after(kLeftOfFurniture, looks);
+}
+
+std::optional<SearchOrder::Look> SearchOrder::next(const std::vector<SearchTarget>& targets, const Belief& belief,
+                                                   std::string_view at) const {
+  const Agent& agent = belief.scene().agent;
+  std::optional<Look> best;
+  double most = kLeast;
+  const auto offer = [&](const Place& place, double gain, double cost, bool opens) {
+    if (gain / cost <= most) return;
+    most = gain / cost;
+    best = Look{place.id, opens, place.looks, place.category.empty()};
+  };
+  for (const Place& place : places_) {
+    Chance all;
+    for (const SearchTarget& target : targets) {
+      const Chance one = chance(target, place, belief);
+      all.on += one.on;
+      all.inside += one.inside;
+    }
+    if (all.on + all.inside <= kLeast) continue;
+    const bool shut = is_shut(place, belief);
+    const bool here = place.id == at && place.looks == 1;
+    const double way = here ? 0 : 1 + kPerMetre * (place.position - agent.position).norm();
+    const double on = all.on * (left_on(place, place.looks) - left_on(place, place.looks + 1));
+    const double inside_now = shut ? 0
+                                   : all.inside * (left_inside(place, false, place.looks_inside) -
+                                                   left_inside(place, false, place.looks_inside + 1));
+    offer(place, on + inside_now, way + (place.looks == 0 ? 0 : 1), false);
+    if (!shut) continue;
+    const double opened = all.inside * (left_inside(place, true, 0) - left_after(kLeftOfFurniture, 1));
+    if (left_inside(place, true, 0) > 0) offer(place, (place.looks == 0 ? on : 0) + opened, way + 1, true);
+  }
+  return best;
+}
+
+std::vector<std::string> SearchOrder::beside(const std::string& id) const {
+  const auto found = place_of_.find(id);
+  if (found == place_of_.end()) return {};
+  const Place& middle = places_[found->second];
+  std::vector<std::pair<double, std::string>> near;
+  for (const Place& place : places_) {
+    const double away = (place.position - middle.position).norm();
+    if (place.id == id || place.category.empty() || place.given_up || away > kBeside_m) continue;
+    near.emplace_back(away, place.id);
+  }
+  std::sort(near.begin(), near.end());
+  std::vector<std::string> ids;
+  for (auto& [away, other] : near) ids.push_back(std::move(other));
+  return ids;
+}
+
+void SearchOrder::looked_at(const std::string& id, const Belief& belief) {
+  Place* place = find(id);
+  if (place == nullptr) return;
+  ++place->looks;
+  if (!is_shut(*place, belief)) ++place->looks_inside;
+}
+
+void SearchOrder::glimpsed(const std::string& id) {
+  if (Place* place = find(id)) place->glimpsed = true;
+}
+
+void SearchOrder::give_up(const std::string& id) {
+  if (Place* place = find(id)) place->given_up = true;
+}
+
+void SearchOrder::keep_shut(const std::string& id) {
+  if (Place* place = find(id)) place->stays_shut = true;
+}
+
+double SearchOrder::unseen_share(const SearchTarget& target, const Belief& belief) const {
+  double all = 0, unseen = 0;
+  for (const Place& place : places_) {
+    const Chance before = chance(target, place, belief);
+    all += before.on + before.inside;
+    unseen += before.on * left_on(place, place.looks) +
+              before.inside * left_inside(place, is_shut(place, belief), place.looks_inside);
+  }
+  return all <= kLeast ? 0 : unseen / all;
+}
+
+}  // namespace unietp

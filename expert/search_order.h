@@ -1,0 +1,79 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "akb/knowledge.h"
+#include "expert/belief.h"
+#include "grounding/household.h"
+
+namespace unietp {
+
+/// Something to look for.
+struct SearchTarget {
+  std::string category;
+  std::vector<std::string> places = {}, rooms = {};  // as in SearchNeed
+  bool floor = false;
+};
+
+/// Where to look for things, in the order in which they are usually found there: by the knowledge of homes in general,
+/// the furniture that was told, and where the agent has looked already. A place that was looked at from one side may
+/// still hold something, so the best ones are looked at again, more closely, before unlikely ones.
+class SearchOrder {
+ public:
+  /// `usual`: where things are in a lived-in home; nullptr: as the knowledge base says. All must outlive it. `shut`:
+  /// categories that are not opened.
+  SearchOrder(const Scene& told, const Knowledge& knowledge, const Household* usual, std::set<std::string> shut);
+
+  /// A place to look: a piece of furniture or a room.
+  struct Look {
+    std::string id;
+    bool opens = false;  // it is opened for that
+    int before = 0;      // how often it was looked at: each time from another angle
+    bool room = false;
+  };
+  /// The most promising one for its steps; nullopt when none is left. `at`: where the agent has gone last.
+  std::optional<Look> next(const std::vector<SearchTarget>& targets, const Belief& belief, std::string_view at) const;
+  /// The furniture around a piece of furniture, the nearest first.
+  std::vector<std::string> beside(const std::string& id) const;
+  /// It was looked at once more.
+  void looked_at(const std::string& id, const Belief& belief);
+  /// It was in view.
+  void glimpsed(const std::string& id);
+  /// It cannot be gone to.
+  void give_up(const std::string& id);
+  /// It cannot be opened.
+  void keep_shut(const std::string& id);
+  /// Of all chances to find such a thing, the share that lies where nobody has looked yet.
+  double unseen_share(const SearchTarget& target, const Belief& belief) const;
+
+ private:
+  struct Place {
+    std::string id, category;  // "" for a room
+    std::string room_type = "";
+    Vec2 position = Vec2::Zero();
+    int looks = 0, looks_inside = 0;
+    bool glimpsed = false, given_up = false, stays_shut = false;
+  };
+  /// To find a thing on or in a place, before anybody looked.
+  struct Chance {
+    double on = 0, inside = 0;
+  };
+  Chance chance(const SearchTarget& target, const Place& place, const Belief& belief) const;
+  static double left_on(const Place& place, int looks);
+  double left_inside(const Place& place, bool shut, int looks) const;
+  static bool is_shut(const Place& place, const Belief& belief);
+  Place* find(const std::string& id);
+
+  const Knowledge& knowledge_;
+  const Household* usual_;
+  std::set<std::string> shut_;
+  std::vector<Place> places_;
+  std::map<std::string, std::size_t, std::less<>> place_of_;
+  std::map<std::string, int, std::less<>> of_category_;  // how many pieces
+};
+
+}  // namespace unietp

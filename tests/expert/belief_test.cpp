@@ -1,0 +1,241 @@
+// The expert of M2: what it does follows from what it was told and has seen.
+#include <algorithm>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "expert/belief_expert.h"
+#include "expert/mode_expert.h"
+#include "expert/search_marks.h"
+#include "expert/search_needs.h"
+#include "expert/search_order.h"
+#include "expert/witness.h"
+#include "tests/expert/house.h"
+
+namespace unietp::testing {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::UnorderedElementsAre;
+
+const HouseCase kBeliefCases[] = {
+    {"a_mug_on_a_table", "(exists (?x - Mug) (exists (?y - SideTable) (at-end (on ?x ?y))))"},
+    {"the_mug_in_the_fridge", "(exists (?x - (Mug :where (exists (?f - Fridge) (inside ?x ?f)))) (at-end (held ?x)))",
+     mug_in_fridge},
+    {"a_hot_potato", "(exists (?x - Potato) (at-end (hot ?x)))"},
+    {"a_slice", "(exists (?s - Apple/slice) (exists (?b - SideTable) (at-end (on ?s ?b))))"},
+    {"the_dirty_plate", "(exists (?x - (Plate :where (dirty ?x))) (exists (?b - SideTable) (at-end (on ?x ?b))))",
+     all_dirty},
+    {"in_order",
+     "(exists (?c - Fridge) (exists (?x - Apple) (exists (?y - Mug) (and (before (inside ?x ?c) (inside ?y ?c)) "
+     "(at-end (and (inside ?x ?c) (inside ?y ?c)))))))"},
+    {"every_mug", "(exists (?y - Fridge) (forall (?x - Mug) (at-end (inside ?x ?y))))"},
+    {"two_kinds",
+     "(exists (?c - Fridge) (exists (?x - Mug) (exists (?y - Apple) (at-end (and (inside ?x ?c) (inside ?y ?c))))))"},
+};
+
+struct Belief : ::testing::TestWithParam<HouseCase> {
+  Belief() {
+    Scene scene = house();
+    if (GetParam().edit != nullptr) GetParam().edit(scene);
+    start = at_rest(std::move(scene));
+  }
+  /// What the expert is shown and does in a start of its own.
+  Witnessed in(const Scene& scene) const {
+    auto executions = *ExecutionTree::of(wanted, scene, knowledge, profile);
+    EpisodeWindow window(executions);
+    WitnessWindow witness(window);
+    (void)reach_by_belief({wanted, knowledge, profile}, witness);
+    return witness.seen();
+  }
+  Demonstration shown() const {
+    const auto first = demonstrate(wanted, start, knowledge, profile, {});
+    auto made = demonstrate_in(Mode::M2, wanted, start, knowledge, profile, std::get<Demonstration>(first));
+    if (const auto* why = std::get_if<Rejection>(&made)) {
+      ADD_FAILURE() << why->detail;
+      return {};
+    }
+    return std::get<Demonstration>(std::move(made));
+  }
+
+  const Knowledge knowledge = house_knowledge();
+  const Profile profile = house_profile();
+  const Formula wanted = goal(GetParam().goal);
+  Scene start;
+};
+
+TEST_P(Belief, IsAllThatTheExpertActsOn) {
+  const Witnessed seen = in(start);
+  ASSERT_THAT(seen.actions, Not(IsEmpty()));
+  EXPECT_EQ(seen.actions.back().type, ActionType::Stop);
+  RecordedWindow record(seen);  // there is no world behind it
+  EXPECT_FALSE(reach_by_belief({wanted, knowledge, profile}, record));
+  EXPECT_TRUE(record.same());
+}
+
+TEST_P(Belief, LeadsToTheSameActionsInAWorldThatLooksTheSame) {
+  const Witnessed seen = in(start);
+  const auto twin = twin_of(start, shown());
+  if (!twin) GTEST_SKIP() << "everything that is used is in view at the start";
+  EXPECT_NE(twin->nodes.size(), start.nodes.size());
+  const Witnessed other = in(*twin);
+  EXPECT_TRUE(acted_alike(seen, other));
+  EXPECT_LT(same_moments(seen, other), seen.moments.size()) << "the twin has to differ";
+}
+
+TEST_P(Belief, StepsThatOnlyServeToSeeAreMarkedAndNoOthers) {
+  const Demonstration demonstration = shown();
+  std::vector<Action> without;
+  for (const DemonstrationStep& step : demonstration.steps) {
+    EXPECT_TRUE(!step.search || may_be_search(step.action.type)) << to_text(step.action);
+    EXPECT_TRUE(step.outcome.success) << to_text(step.action);
+  }
+  auto executions = *ExecutionTree::of(wanted, start, knowledge, profile);
+  for (const DemonstrationStep& left_out : demonstration.steps) {
+    if (!may_be_search(left_out.action.type)) continue;
+    Rollout rollout(executions, rules_of(Mode::M1));
+    for (const DemonstrationStep& step : demonstration.steps) {
+      if (&step != &left_out) (void)rollout.go_on(step.action);
+    }
+    EXPECT_EQ(rollout.reaches_goal(), left_out.search) << to_text(left_out.action);
+  }
+}
+
+TEST_P(Belief, KeepsAPlanOfOneWhoIsToldEverythingBesideIt) {
+  const Demonstration demonstration = shown();
+  EXPECT_LE(demonstration.shortest.size(), demonstration.steps.size());
+  auto executions = *ExecutionTree::of(wanted, start, knowledge, profile);
+  Rollout rollout(executions, rules_of(Mode::M1));
+  rollout.go_on(demonstration.shortest);
+  EXPECT_EQ(rollout.done(), demonstration.shortest);
+  EXPECT_TRUE(rollout.reaches_goal());
+  for (const Action& action : demonstration.shortest) EXPECT_TRUE(offers(info(action.type), Mode::M2));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Belief, ::testing::ValuesIn(kBeliefCases),
+                         [](const auto& param) { return std::string(param.param.name); });
+
+TEST(ActedAlike, FindsWhoActsOnWhatWasNotShown) {
+  Witnessed one;
+  one.moments.resize(3);
+  one.actions = {{ActionType::TurnLeft, {}}, {ActionType::Stop, {}}};
+  one.outcomes.assign(2, Outcome{.success = true, .failure = Failure::None, .feedback = ""});
+  Witnessed other = one;
+  EXPECT_TRUE(acted_alike(one, other));
+  other.actions[1] = {ActionType::TurnRight, {}};
+  EXPECT_FALSE(acted_alike(one, other));
+  other.moments[1].body.yaw = 1;  // which may be why
+  EXPECT_TRUE(acted_alike(one, other));
+  other.actions[0] = {ActionType::TurnRight, {}};
+  EXPECT_FALSE(acted_alike(one, other));
+}
+
+TEST(EpisodeWindow, ShowsNothingMovableThatIsNotInViewAndNoStateOfFurnitureOutOfView) {
+  const Knowledge knowledge = house_knowledge();
+  const Profile profile = house_profile();
+  Scene scene = house();
+  set_state(scene, "television_1", Predicate::PowerOn);
+  const Scene start = at_rest(std::move(scene));
+  const Formula wanted = goal("(exists (?x - Mug) (at-end (held ?x)))");
+  auto executions = *ExecutionTree::of(wanted, start, knowledge, profile);
+  EpisodeWindow window(executions);
+  for (const Node& node : window.told().nodes) {
+    EXPECT_FALSE(node.movable) << node.id;
+    EXPECT_FALSE(node.states.has(Predicate::PowerOn)) << node.id;
+  }
+  EXPECT_TRUE(window.told().edges.empty());
+  const auto& visible = executions.world().visible();
+  EXPECT_EQ(window.view().size(), visible.size());
+  for (const Node& node : window.view()) {
+    EXPECT_TRUE(std::any_of(visible.begin(), visible.end(), [&](const auto& object) { return object.id == node.id; }));
+  }
+}
+
+TEST(SearchNeeds, TellWhatToLookForAndWhere) {
+  const SearchNeeds one = search_needs(
+      goal("(exists (?x - (Mug :where (exists (?f - Fridge) (inside ?x ?f)))) (exists (?y - SideTable) (at-end (on ?x "
+           "?y))))"));
+  ASSERT_EQ(one.needs.size(), 3U);  // the fridge of the phrase too
+  const auto mug = std::find_if(one.needs.begin(), one.needs.end(),
+                                [](const SearchNeed& need) { return need.categories.front() == "Mug"; });
+  ASSERT_NE(mug, one.needs.end());
+  EXPECT_THAT(mug->places, ElementsAre("Fridge"));
+  EXPECT_FALSE(mug->every);
+  const SearchNeeds all = search_needs(goal("(exists (?y - Fridge) (forall (?x - Mug) (at-end (inside ?x ?y))))"));
+  EXPECT_TRUE(std::any_of(all.needs.begin(), all.needs.end(), [](const SearchNeed& need) {
+    return need.every && need.categories.front() == "Mug" && need.places.empty();
+  }));
+  const SearchNeeds none = search_needs(goal("(exists (?y - SideTable) (at-end (count = 0 (?x - Mug) (on ?x ?y))))"));
+  EXPECT_TRUE(std::any_of(none.needs.begin(), none.needs.end(), [](const SearchNeed& need) {
+    return need.every && need.at_least == 0 && need.places == std::vector<std::string>{"SideTable"};
+  }));
+}
+
+TEST(SearchNeeds, OnlyWhatIsForbiddenKeepsSomethingShut) {
+  EXPECT_THAT(search_needs(goal("(exists (?y - Fridge) (and (always (closed ?y)) (at-end (clean ?y))))")).shut,
+              UnorderedElementsAre("Fridge"));
+  EXPECT_THAT(search_needs(goal("(exists (?y - Fridge) (before (open ?y) (power_on ?y)))")).shut, IsEmpty());
+}
+
+struct LookingForAMug : ::testing::Test {
+  const Knowledge knowledge = house_knowledge();
+  const Profile profile = house_profile();
+  const Scene start = at_rest(house());
+  const Formula wanted = goal("(exists (?x - Mug) (at-end (held ?x)))");
+  ExecutionTree executions = *ExecutionTree::of(wanted, start, knowledge, profile);
+  EpisodeWindow window{executions};
+  unietp::Belief belief{window.told(), search_needs(wanted), {"Mug"}};
+};
+
+TEST_F(LookingForAMug, BeginsWhereTheGoalSaysAndOpensWhatIsShut) {
+  const SearchOrder order(window.told(), knowledge, nullptr, {});
+  const auto look = order.next({{"Mug", {"Fridge"}, {}, false}}, belief, "");
+  ASSERT_TRUE(look);
+  EXPECT_EQ(look->id, "fridge_1");
+  EXPECT_TRUE(look->opens);
+  const SearchOrder shut(window.told(), knowledge, nullptr, {"Fridge"});
+  const auto other = shut.next({{"Mug", {"Fridge"}, {}, false}}, belief, "");
+  EXPECT_TRUE(!other || !other->opens || other->id != "fridge_1");
+}
+
+TEST_F(LookingForAMug, GoesOnElsewhereOnceAPlaceWasLookedAt) {
+  SearchOrder order(window.told(), knowledge, nullptr, {});
+  const std::vector<SearchTarget> mug{{"Mug"}};
+  const double before = order.unseen_share(mug.front(), belief);
+  const auto first = order.next(mug, belief, "");
+  ASSERT_TRUE(first);
+  order.looked_at(first->id, belief);
+  EXPECT_LT(order.unseen_share(mug.front(), belief), before);
+  const auto second = order.next(mug, belief, "");
+  ASSERT_TRUE(second);
+  EXPECT_TRUE(second->id != first->id || second->opens);
+  order.give_up(second->id);
+  const auto third = order.next(mug, belief, "");
+  EXPECT_TRUE(!third || third->id != second->id);
+}
+
+TEST(BeliefOfFurniture, IsWhatTheGoalPresupposesUntilItIsSeen) {
+  const Knowledge knowledge = house_knowledge();
+  const Profile profile = house_profile();
+  const Scene start = at_rest(house());
+  const Formula off = goal("(exists (?x - Television) (at-end (power_off ?x)))");
+  auto executions = *ExecutionTree::of(off, start, knowledge, profile);
+  EpisodeWindow window(executions);
+  unietp::Belief belief(window.told(), search_needs(off), {"Television"});
+  EXPECT_TRUE(belief.find("television_1")->states.has(Predicate::PowerOn));
+  EXPECT_FALSE(belief.has_seen("television_1"));
+  Node seen = *find_node(start, "fridge_1");
+  const int before = belief.news();
+  belief.see({seen}, start.agent);
+  EXPECT_EQ(belief.news(), before) << "a fridge is no news for who has to do with televisions";
+  EXPECT_TRUE(belief.has_seen("fridge_1"));
+  seen = *find_node(start, "television_1");
+  belief.see({seen}, start.agent);
+  EXPECT_EQ(belief.find("television_1")->states, seen.states);
+  EXPECT_GT(belief.news(), before);
+}
+
+}  // namespace
+}  // namespace unietp::testing

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "logic/formula.h"
+#include "record/task_record.h"
+#include "simulation/world.h"
+#include "validator/problem.h"
+#include "validator/trace_maker.h"
+
+namespace unietp {
+
+/// Which steps of a plan only served to see something: those that move the body or camera, go or turn to something,
+/// open or close, and without which alone the rest reaches the goal as well if objects may be named by id whether they
+/// were seen or not. `plan`: actions on ids, without `stop`.
+std::vector<bool> search_steps(const Formula& goal, const World& start, const TraceMaker& traces,
+                               const std::vector<Action>& plan);
+
+/// The marks of a demonstration against those.
+std::vector<Problem> check_marks(const DemonstrationRecord& demonstration, const std::vector<bool>& search,
+                                 const std::string& where);
+
+/// The shortest plan beside a demonstration: it has the length that the task says, no more steps than the demonstration
+/// and only actions of the mode; done by who is told everything, each step succeeds and is needed, and it reaches the
+/// goal. In M1 there is none.
+std::vector<Problem> check_shortest(const Formula& goal, const World& start, const TraceMaker& traces,
+                                    const TaskRecord& task, Mode mode, const DemonstrationRecord& demonstration,
+                                    const std::string& where);
+
+}  // namespace unietp
