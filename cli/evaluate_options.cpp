@@ -8,6 +8,7 @@
 #include "cli/common_options.h"
 #include "core/evaluation_limits.h"
 #include "core/files.h"
+#include "core/in_quotes.h"
 #include "core/limits.h"
 #include "core/text.h"
 #include "dataset/configuration.h"
@@ -270,6 +271,11 @@ Result<EvaluateRequest> read_evaluate_options(const EvaluateChoice& choice, cons
   if (request.built_in) return request;
   auto words = choice.policy.starts_with("python:") ? python_policy(choice.policy) : words_of_command(choice.policy);
   if (!words) return words.error();
+  if (!is_program(words->front())) {
+    const auto near = nearest_name(choice.policy, {"expert", "replay", "random", "stop", "noisy:0.1"});
+    return usage("--policy", "there is no program " + in_quotes(words->front()) +
+                                 (near.empty() ? "" : "; did you mean " + near + "?"));
+  }
   request.program = std::move(*words);
   return request;
 }

@@ -180,7 +180,8 @@ std::string system_prompt(const Scene& start, const Settings& settings, const Pr
   if (reasoning) text += "\"reasoning\": \"one to three sentences\", ";
   text += "\"action\": \"NAME\", \"args\": [ARGUMENT]}, with \"args\": [] for an action that takes none.\n";
   text += naming_text(settings, profile) + "\nActions:\n" + action_space_text(settings.rules, profile);
-  return text + "\nWhat you know of the home:\n" + home_text(start, settings);
+  text += "\nWhat you know of the home:\n" + home_text(start, settings);
+  return text.substr(0, text.find_last_not_of('\n') + 1);
 }
 
 std::string home_text(const Scene& start, const Settings& settings) {
@@ -204,6 +205,13 @@ std::string outcome_text(bool success, const std::string& feedback) {
 
 std::string history_text(const std::string& action, bool success, const std::string& feedback) {
   return action + ": " + became(success, feedback);
+}
+
+std::string actions_text(const std::vector<std::string>& actions, bool only_last) {
+  if (actions.empty()) return "";
+  std::string text = only_last ? "Your last actions:" : "Your actions so far:";
+  for (std::size_t i = 0; i < actions.size(); ++i) text += "\n" + std::to_string(i + 1) + ". " + actions[i];
+  return text;
 }
 
 std::string results_text(const std::vector<ActionReport>& results) {

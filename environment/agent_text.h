@@ -15,7 +15,8 @@ namespace unietp {
 // that an agent meets in one the texts that it learned from in another. All are deterministic.
 
 /// Before the episode: what the agent is, its actions with what they need, how to answer, the rules of naming, and what
-/// it may know of the home in advance. `reasoning`: it is asked for a rationale. `profile` gives the size of the image.
+/// it may know of the home in advance; without a line feed at its end. `reasoning`: it is asked for a rationale.
+/// `profile` gives the size of the image.
 std::string system_prompt(const Scene& start, const Settings& settings, const Profile& profile, bool reasoning);
 
 /// The actions alone: one line for each that the rules and the simulator offer, with what it needs.
@@ -35,6 +36,10 @@ std::string view_text(const std::vector<VisibleObject>& visible);
 std::string outcome_text(bool success, const std::string& feedback);
 /// "pick_up(mug_1): succeeded", for a history.
 std::string history_text(const std::string& action, bool success, const std::string& feedback);
+
+/// "Your actions so far:" and a numbered line for each history_text; with `only_last` "Your last actions:". "" for
+/// none.
+std::string actions_text(const std::vector<std::string>& actions, bool only_last);
 
 /// What became of the last action, or of each action of a list as numbered lines; "" where it is not told.
 std::string results_text(const std::vector<ActionReport>& results);

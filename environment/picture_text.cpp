@@ -7,6 +7,7 @@
 
 #include "core/text.h"
 #include "environment/agent_text.h"
+#include "environment/environment.h"
 
 namespace unietp {
 namespace {
@@ -29,48 +30,66 @@ std::vector<std::string> visible_states(const Node& node, Simulator simulator) {
   return texts;
 }
 
+/// An object in the picture: its id, and what it is called.
+using Names = std::map<std::string, std::string>;
+
+/// For each named object, by id, its states and what it is on or in, by name.
+std::map<std::string, std::vector<std::string>> facts_of(const Scene& scene, const Names& names) {
+  std::map<std::string, std::vector<std::string>> facts;
+  for (const Node& node : scene.nodes) {
+    if (names.contains(node.id)) facts[node.id] = visible_states(node, scene.simulator);
+  }
+  for (const Edge& edge : scene.edges) {
+    if (edge.relation != Predicate::On && edge.relation != Predicate::Inside) continue;
+    const auto above = facts.find(edge.from);
+    const auto below = names.find(edge.to);
+    if (above != facts.end() && below != names.end())
+      above->second.push_back((edge.relation == Predicate::On ? "on " : "in ") + below->second);
+  }
+  return facts;
+}
+
+std::string sentence(const std::vector<std::string>& things, const std::string& without) {
+  return things.empty() ? without : "The camera shows: " + join(things, "; ") + ".";
+}
+
 }  // namespace
+
+std::string picture_text(const Scene& scene, const std::vector<VisibleObject>& told) {
+  Names names;
+  for (const VisibleObject& object : told) names.emplace(object.id, object.id);
+  std::vector<std::string> things;
+  for (const auto& [id, facts] : facts_of(scene, names)) {
+    if (!facts.empty()) things.push_back(id + " is " + join(facts, ", "));
+  }
+  return sentence(things, "");
+}
 
 std::string picture_text(const Environment& environment) {
   const Observation& seen = environment.observe();
   const Settings& settings = environment.settings();
-  const Scene& scene = environment.scene();
-  const bool by_id = seen.boxes.has_value();
+  if (seen.boxes) {
+    std::vector<VisibleObject> told;
+    for (const ObservedObject& object : *seen.boxes) told.push_back({object.id, object.box});
+    return picture_text(environment.scene(), told);
+  }
   std::map<std::string, PixelBox> boxes;
-  if (by_id) {
-    for (const ObservedObject& object : *seen.boxes) boxes.emplace(object.id, object.box);
-  } else {
-    for (const VisibleObject& object : environment.pictured()) boxes.emplace(object.id, object.box);
+  for (const VisibleObject& object : environment.pictured()) boxes.emplace(object.id, object.box);
+  Names names;
+  for (const Node& node : environment.scene().nodes) {
+    if (boxes.contains(node.id)) names.emplace(node.id, node.category);
   }
-  std::map<std::string, const Node*> nodes;
-  for (const Node& node : scene.nodes) {
-    if (boxes.contains(node.id)) nodes.emplace(node.id, &node);
-  }
-  const auto name = [&](const Node& node) { return by_id ? node.id : node.category; };
-  std::map<std::string, std::vector<std::string>> facts;
-  for (const auto& [id, node] : nodes) facts[id] = visible_states(*node, scene.simulator);
-  for (const Edge& edge : scene.edges) {
-    if (edge.relation != Predicate::On && edge.relation != Predicate::Inside) continue;
-    const auto below = nodes.find(edge.to);
-    if (nodes.contains(edge.from) && below != nodes.end())
-      facts[edge.from].push_back((edge.relation == Predicate::On ? "on " : "in ") + name(*below->second));
-  }
+  const auto box_text = [&](const std::string& id) {
+    const auto numbers = box_in_form(boxes.at(id), settings.box_form, seen.image_width, seen.image_height);
+    if (settings.box_form == BoxForm::Unit) return nlohmann::json(numbers).dump();
+    return nlohmann::json(std::vector<int>(numbers.begin(), numbers.end())).dump();
+  };
   std::vector<std::string> things;
-  for (const auto& [id, node] : nodes) {
-    const auto& states = facts[id];
-    if (by_id && states.empty()) continue;
-    std::string text = name(*node);
-    if (!by_id) {
-      const nlohmann::json numbers = box_in_form(boxes[id], settings.box_form, seen.image_width, seen.image_height);
-      text +=
-          " " + (settings.box_form == BoxForm::Unit ? numbers
-                                                    : nlohmann::json(std::vector<int>(numbers.begin(), numbers.end())))
-                    .dump();
-    }
-    things.push_back(states.empty() ? text : text + (by_id ? " is " : ", ") + join(states, ", "));
+  for (const auto& [id, facts] : facts_of(environment.scene(), names)) {
+    const std::string thing = names.at(id) + " " + box_text(id);
+    things.push_back(facts.empty() ? thing : thing + ", " + join(facts, ", "));
   }
-  if (things.empty()) return by_id ? "" : "The camera shows nothing.";
-  return "The camera shows: " + join(things, "; ") + ".";
+  return sentence(things, "The camera shows nothing.");
 }
 
 }  // namespace unietp

@@ -157,11 +157,11 @@ std::optional<std::size_t> TaskSource::find(std::string_view id) const {
 
 Result<SharedTask> TaskSource::task(std::size_t position) const {
   if (position >= size())
-    return Error{
-        Error::Kind::Usage,
-        impl_->tasks.name(),
-        {},
-        "has " + std::to_string(size()) + " tasks, counted from 0; there is none at " + std::to_string(position)};
+    return Error{Error::Kind::Usage,
+                 impl_->tasks.name(),
+                 {},
+                 "the data set has " + std::to_string(size()) + " tasks, counted from 0; there is none at " +
+                     std::to_string(position)};
   if (auto found = impl_->ready.find(position)) return *found;
   auto made = impl_->make(position);
   if (made) impl_->ready.keep(position, *made);
@@ -176,19 +176,20 @@ Result<SharedTask> TaskSource::task(std::string_view id) const {
   return Error{Error::Kind::Usage,
                impl_->tasks.name(),
                {},
-               "has no task " + in_quotes(id) + (near.empty() ? "" : ", did you mean " + near + "?")};
+               "the data set has no task " + in_quotes(id) + (near.empty() ? "" : ", did you mean " + near + "?")};
 }
 
 Result<DemonstrationRecord> TaskSource::demonstration(std::size_t position, Mode mode) const {
   if (position >= size())
-    return Error{Error::Kind::Usage, impl_->tasks.name(), {}, "has no task at " + std::to_string(position)};
+    return Error{
+        Error::Kind::Usage, impl_->tasks.name(), {}, "the data set has no task at " + std::to_string(position)};
   const auto& lines = impl_->shown[static_cast<std::size_t>(mode)];
   const std::string& id = listing()[position].id;
   if (!lines || position >= lines->size())
     return Error{Error::Kind::Usage,
                  impl_->tasks.name(),
                  {},
-                 "has no demonstration of " + id + " in " + std::string(name_of(mode))};
+                 "the data set has no demonstration of " + id + " in " + std::string(name_of(mode))};
   const auto line = lines->line(position);
   if (!line) return line.error();
   auto shown = read_demonstration(lines->name(), line->number, line->text);

@@ -11,10 +11,13 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <utility>
 
 #include "core/pause.h"
+#include "core/text.h"
 
 extern char** environ;
 
@@ -131,6 +134,18 @@ Result<std::string> ChildProcess::exchange(const std::string& line, double secon
     if (got > 0) received_.append(buffer.data(), static_cast<std::size_t>(got));
     if (got == 0 || (got < 0 && errno != EAGAIN && errno != EINTR)) return ended();
   }
+}
+
+bool is_program(const std::string& name) {
+  const auto may_run = [](const std::string& path) {
+    std::error_code failed;
+    return std::filesystem::is_regular_file(path, failed) && ::access(path.c_str(), X_OK) == 0;
+  };
+  if (name.find('/') != std::string::npos) return may_run(name);
+  const char* path = std::getenv("PATH");
+  const auto folders = split(path == nullptr ? "/usr/bin:/bin" : path, ':');
+  return std::any_of(folders.begin(), folders.end(),
+                     [&](const std::string& folder) { return may_run((folder.empty() ? "." : folder) + "/" + name); });
 }
 
 Result<std::vector<std::string>> words_of_command(const std::string& command) {

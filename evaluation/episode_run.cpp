@@ -44,7 +44,7 @@ class EpisodeWriter {
   }
 
   /// Says it to the environment and takes down what came of it.
-  StepResult step(PolicyReply reply, Environment& environment) {
+  StepResult step(PolicyReply reply, Environment& environment, EpisodeWatcher* watcher) {
     EpisodeStep step;
     step.prompt = std::move(reply.prompt);
     step.reply = kept_text(reply.text, reply_bytes_);
@@ -60,9 +60,12 @@ class EpisodeWriter {
     const auto answer =
         parse_answer(step.reply, {environment.settings().box_form, seen.image_width, seen.image_height});
     if (!answer) step.unreadable = answer.error().message;
+    const auto read = Clock::now();
+    if (watcher != nullptr) watcher->before_reply(answer ? &*answer : nullptr, environment);
+    const auto looked = Clock::now() - read;
     StepResult result = answer ? environment.step(*answer) : environment.step(step.reply);
     step.progress = environment.progress();
-    played_.timing.environment_s += since(begin);
+    played_.timing.environment_s += since(begin + looked);
     for (const ExecutedAction& executed : result.executed) step.actions.push_back(action_of(executed));
     played_.timing.reply_s.push_back(reply.seconds);
     played_.timing.attempts.push_back(reply.attempts);
@@ -117,8 +120,7 @@ std::variant<PlayedEpisode, NoReply> play_episode(const PlannedEpisode& planned,
       none = std::get<NoReply>(std::move(answer));
       break;
     }
-    if (watcher != nullptr) watcher->before_reply(environment);
-    const StepResult result = writer.step(std::move(*reply), environment);
+    const StepResult result = writer.step(std::move(*reply), environment, watcher);
     if (watcher != nullptr) watcher->after_reply(writer.unreadable(), result, environment);
   }
   if (!none) return std::move(writer).finish(environment);

@@ -15,8 +15,8 @@ class EpisodeWatcher {
   virtual ~EpisodeWatcher() = default;
   /// Forgets the episode before.
   virtual void begin(const Environment& start) = 0;
-  /// Before each reply.
-  virtual void before_reply(const Environment& now) = 0;
+  /// Before what an agent said is done; null: it could not be read.
+  virtual void before_reply(const Answer* answer, const Environment& now) = 0;
   /// After it. `unreadable` is that of the step.
   virtual void after_reply(const std::string& unreadable, const StepResult& result, const Environment& now) = 0;
   /// The episode is over, or no further reply could be had. Errors: those of what it keeps.

@@ -196,6 +196,10 @@ EvaluationTotals read_totals(JsonReader& reader, const JsonAt& at) {
 /// Compares two values below a path.
 void add_differences(const std::string& path, const Json& then, const Json& now, std::vector<std::string>& lines) {
   if (then == now) return;
+  if (then.is_object() != now.is_object()) {
+    lines.push_back(path + (now.is_object() ? ": not there then" : ": not there now"));
+    return;
+  }
   if (!then.is_object() || !now.is_object()) {
     lines.push_back(path + ": " + then.dump() + " then, " + now.dump() + " now");
     return;

@@ -58,28 +58,25 @@ std::string own_words(const std::string& reply) {
   return std::string(trim(line));
 }
 
-/// A line for each action with `line_of`, or for each reply where nothing is told of actions.
+/// Each action with `line_of`, or each reply where nothing is told of actions.
 template <class LineOf>
-std::string numbered_history(const PromptContext& context, const LineOf& line_of) {
-  std::string text;
-  int number = 0;
+std::vector<std::string> history_lines(const PromptContext& context, const LineOf& line_of) {
+  std::vector<std::string> lines;
   for (const ToldStep* step : told_again(context)) {
     const bool told = !step->results.empty() && step->results.front().success.has_value();
-    if (!told) text += std::to_string(++number) + ". " + own_words(step->reply) + "\n";
+    if (!told) lines.push_back(own_words(step->reply));
     for (const ActionReport& one : step->results) {
-      if (told) text += std::to_string(++number) + ". " + line_of(one) + "\n";
+      if (told) lines.push_back(line_of(one));
     }
   }
-  return text;
+  return lines;
 }
 
 std::string history_slot(const PromptContext& context) {
   if (context.talk->multi) return "";
-  const std::string lines = numbered_history(
+  const auto lines = history_lines(
       context, [](const ActionReport& one) { return history_text(one.action, *one.success, one.feedback); });
-  if (lines.empty()) return "";
-  const bool all = told_again(context).size() == context.past->size();
-  return (all ? "Your actions so far:\n" : "Your last actions:\n") + lines;
+  return actions_text(lines, told_again(context).size() < context.past->size());
 }
 
 std::string outcome_slot(const PromptContext& context) {
@@ -132,13 +129,16 @@ std::string release_view_slot(const PromptContext& context) {
   return list.dump();
 }
 std::string release_history_slot(const PromptContext& context) {
-  const std::string lines = numbered_history(context, [](const ActionReport& one) {
+  const auto lines = history_lines(context, [](const ActionReport& one) {
     const std::size_t name_end = std::min(one.action.find('('), one.action.size());
     return release_action_name(std::string_view(one.action).substr(0, name_end)) + one.action.substr(name_end) +
            ". Action success: " + (*one.success ? "true" : "false") +
            (one.feedback.empty() ? "" : ". Feedback: " + one.feedback);
   });
-  return lines.empty() ? "none" : lines;
+  if (lines.empty()) return "none";
+  std::string text;
+  for (std::size_t i = 0; i < lines.size(); ++i) text += std::to_string(i + 1) + ". " + lines[i] + "\n";
+  return text;
 }
 
 struct SlotRow {

@@ -10,6 +10,7 @@
 #include "core/png.h"
 #include "core/staged_folder.h"
 #include "core/text.h"
+#include "environment/agent_text.h"
 #include "exports/formats.h"
 #include "exports/sft_chat.h"
 #include "simulation/mode_rules.h"
@@ -82,7 +83,8 @@ class Maker {
   Result<Samples> make(const FinishedTask& task, Mode mode) const {
     const auto& backend = backend_of(backends_, task.start);
     const bool boxes = options_.observation != SftObservation::Image && rules_of(mode).boxes;
-    const SftChat chat = chat_of(task, mode, backend, boxes, options_.reasoning);
+    const auto view = !boxes ? SftView::Picture : pictures_ ? SftView::Boxes : SftView::Words;
+    const SftChat chat = chat_of(task, mode, backend, view, options_.reasoning);
     Samples samples;
     std::vector<std::string> files;
     Rays rays;
@@ -126,9 +128,9 @@ class Maker {
   Sample step(const std::string& id, const SftChat& chat, std::size_t index, const std::string& file) const {
     Sample sample(id, pictures_);
     sample.say("system", chat.system);
-    std::string before = chat.task;
-    if (index > 0) before += "\nSo far:";
-    for (std::size_t i = 0; i < index; ++i) before += "\n" + std::to_string(i + 1) + ". " + chat.turns[i].happened;
+    std::vector<std::string> happened;
+    for (std::size_t i = 0; i < index; ++i) happened.push_back(chat.turns[i].happened);
+    const std::string before = chat.task + (index > 0 ? "\n" + actions_text(happened, false) : "");
     sample.show(before, file, chat.turns[index].seen);
     sample.answer(chat.turns[index].answer, chat.turns[index].worth_learning);
     return sample;

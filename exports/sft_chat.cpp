@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "environment/agent_text.h"
+#include "environment/picture_text.h"
 #include "exports/sft_reasoning.h"
 
 namespace unietp {
@@ -14,7 +15,7 @@ using Json = nlohmann::ordered_json;
 
 }  // namespace
 
-SftChat chat_of(const FinishedTask& task, Mode mode, const ValidationBackend& backend, bool boxes, bool reasoning) {
+SftChat chat_of(const FinishedTask& task, Mode mode, const ValidationBackend& backend, SftView view, bool reasoning) {
   SftChat chat{system_prompt(task.start, settings_for(mode), *backend.profile, reasoning),
                task_text(task.record.instruction),
                {}};
@@ -27,7 +28,11 @@ SftChat chat_of(const FinishedTask& task, Mode mode, const ValidationBackend& ba
     SftTurn turn;
     if (i > 0) turn.outcome = outcome_text(steps[i - 1].success, steps[i - 1].feedback);
     turn.happened = history_text(to_text(step.command), step.success, step.feedback);
-    if (boxes) turn.seen = view_text(step.visible);
+    if (view != SftView::Picture) turn.seen = view_text(step.visible);
+    if (view == SftView::Words) {
+      const std::string shown = picture_text(scene, step.visible);
+      turn.seen += (shown.empty() ? "" : "\n") + shown;
+    }
     Json answer = Json::object();
     if (thoughts) answer["reasoning"] = thoughts->before_step(i, scene);
     answer.update(command_to_json(step.command));

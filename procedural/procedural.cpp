@@ -19,6 +19,8 @@ namespace unietp {
 namespace {
 
 constexpr int kAttemptsPerHome = 24;  // candidates in one home before another is taken
+// The number of the first home in the training pool. A run has no more homes than tasks, so no data set has it.
+constexpr int kFirstHome = limits::kTasks;
 
 Error option_error(const std::string& option, std::string message) {
   return {Error::Kind::Usage, option, {}, std::move(message)};
@@ -100,7 +102,7 @@ Result<Done> Procedural::Impl::add(Simulator simulator) {
   if (kind.splits.empty()) return last;
   for (int number = 0; number < options.homes; ++number) {
     BlockHomes one{};
-    one[static_cast<std::size_t>(simulator)] = {number, 1};
+    one[static_cast<std::size_t>(simulator)] = {kFirstHome + number, 1};
     kind.homes.push_back(std::make_unique<LayoutPool>(of_homes, *resources, one));
   }
   kinds.push_back(std::move(kind));

@@ -29,7 +29,8 @@ struct ProceduralOptions {
 
 /// Makes new tasks without end: each seed gives one, which has passed every check that `unietp generate` makes (start
 /// at rest and as demanded, goal false there, expert's plan executed, must-fail mutants fail, instruction parsed back),
-/// in homes of the training pool, none of which the benchmark has. A task depends on the options, the seed and the
+/// in homes of the training pool that neither the benchmark nor any data set of `unietp training` has, whatever its
+/// size and seed: their numbers begin where those of data sets end. A task depends on the options, the seed and the
 /// program's knowledge only. Homes are made once and shared. Thread-safe.
 class Procedural {
  public:

@@ -90,14 +90,17 @@ void name_object(ReplayedAction& action, const std::vector<VisibleObject>& seen,
 }  // namespace
 
 struct EpisodeFollower::State {
-  explicit State(const SharedTask& task) : monitors(task), unseen(goal_objects(*task)) {}
+  State(const SharedTask& task, bool keeps) : monitors(task), unseen(goal_objects(*task)), keeps_views(keeps) {}
 
   /// Strikes out what is in the picture now. What the agent is told is looked at first, since it is there already.
   void show(const Environment& now) {
+    const auto& told = now.observe().boxes;
     const auto is_told = [&](const std::string& id) {
-      const auto place = std::lower_bound(
-          seen.begin(), seen.end(), id, [](const VisibleObject& object, const auto& name) { return object.id < name; });
-      return place != seen.end() && place->id == id;
+      if (!told) return false;
+      const auto place =
+          std::lower_bound(told->begin(), told->end(), id,
+                           [](const ObservedObject& object, const auto& name) { return object.id < name; });
+      return place != told->end() && place->id == id;
     };
     std::erase_if(unseen, [&](const GoalObjects& wanted) {
       return std::any_of(wanted.meant.begin(), wanted.meant.end(), is_told) ||
@@ -108,14 +111,16 @@ struct EpisodeFollower::State {
   PartMonitors monitors;
   std::vector<GoalObjects> unseen;  // those of which nothing was in a picture so far
   ReplayedEpisode episode;
-  std::vector<VisibleObject> seen;  // before the next action
+  std::vector<VisibleObject> seen;  // before an action that names a place in the picture
+  bool keeps_views;
 };
 
 EpisodeFollower::EpisodeFollower(EpisodeFollower&&) noexcept = default;
 EpisodeFollower& EpisodeFollower::operator=(EpisodeFollower&&) noexcept = default;
 EpisodeFollower::~EpisodeFollower() = default;
 
-EpisodeFollower::EpisodeFollower(const Environment& start) : state_(std::make_unique<State>(start.task())) {
+EpisodeFollower::EpisodeFollower(const Environment& start, bool keeps_views)
+    : state_(std::make_unique<State>(start.task(), keeps_views)) {
   ReplayedEpisode& episode = state_->episode;
   episode.parts = state_->monitors.parts();
   episode.parts_at_start = state_->monitors.met();
@@ -124,12 +129,18 @@ EpisodeFollower::EpisodeFollower(const Environment& start) : state_(std::make_un
 }
 
 void EpisodeFollower::begin_reply(const Environment& now) {
-  look(now);
   state_->show(now);
-  state_->episode.steps.push_back({state_->seen, "", {}, ""});
+  state_->episode.steps.emplace_back();
+  if (state_->keeps_views) state_->episode.steps.back().pictured = pictured(now);
 }
 
-void EpisodeFollower::look(const Environment& now) { state_->seen = pictured(now); }
+void EpisodeFollower::look(const AnsweredAction& next, const Environment& now) {
+  const auto& args = next.command.args;
+  const bool names_place = next.point.has_value() || std::any_of(args.begin(), args.end(), [](const Argument& one) {
+                             return one.box.has_value();
+                           });
+  if (names_place) state_->seen = pictured(now);
+}
 
 void EpisodeFollower::acted(const StepResult& result, const Environment& now) {
   for (const ExecutedAction& executed : result.executed) {
@@ -152,7 +163,6 @@ void EpisodeFollower::end_reply(const std::string& unreadable, const Environment
 }
 
 ReplayedEpisode EpisodeFollower::finish(const Environment& last) && {
-  look(last);
   state_->show(last);
   ReplayedEpisode episode = std::move(state_->episode);
   episode.targets_shown = state_->unseen.empty();
@@ -179,12 +189,12 @@ void execute(const std::string& reply, Environment& environment, EpisodeFollower
     return;
   }
   for (const AnsweredAction& said : answer->actions) {
+    follower.look(said, environment);
     const auto result = environment.step(Answer{{said}, ""});
     if (result.executed.empty()) break;
     follower.acted(result, environment);
     const bool failed = !result.executed.back().outcome.success;
     if (environment.over() || (failed && environment.settings().on_fail == OnFail::Stop)) break;
-    follower.look(environment);
   }
   follower.end_reply("", environment);
 }
@@ -195,7 +205,7 @@ Result<ReplayedEpisode> replay_episode(const EpisodeRecord& record, const Shared
                                        const WatchEpisode& watch) {
   auto environment = Environment::make(task, settings);
   if (!environment) return environment.error();
-  EpisodeFollower follower(*environment);
+  EpisodeFollower follower(*environment, static_cast<bool>(watch));
   std::size_t done = 0;
   for (; done < record.steps.size() && !environment->over(); ++done) {
     if (watch) watch(done, *environment);

@@ -25,7 +25,7 @@ struct ReplayedAction {
 
 /// A reply of an episode, with what was in the picture before it.
 struct ReplayedStep {
-  std::vector<VisibleObject> pictured;  // sorted by id
+  std::vector<VisibleObject> pictured;  // sorted by id; empty where views are not kept
   std::string unreadable;               // what was expected of a reply that could not be read
   std::vector<ReplayedAction> actions;
   std::string told;  // the observation afterwards, in words
@@ -46,18 +46,19 @@ struct ReplayedEpisode {
 };
 
 /// Gathers all this while the replies are executed, by a run or again: for each reply `begin_reply`, for each of its
-/// actions `look` and `acted`, then `end_reply`.
+/// actions `look` and `acted`, then `end_reply`. Views are what costs most, so they are made only where something is
+/// named by its place in the picture, and for each reply with `keeps_views`.
 class EpisodeFollower {
  public:
-  explicit EpisodeFollower(const Environment& start);
+  explicit EpisodeFollower(const Environment& start, bool keeps_views = false);
   EpisodeFollower(EpisodeFollower&&) noexcept;
   EpisodeFollower& operator=(EpisodeFollower&&) noexcept;
   ~EpisodeFollower();
 
   /// Before the first action of a reply.
   void begin_reply(const Environment& now);
-  /// Before an action but the first of a reply.
-  void look(const Environment& now);
+  /// Before each action; not needed before what could not be read.
+  void look(const AnsweredAction& next, const Environment& now);
   /// After one, or after what could not be read. `result` has at most one action.
   void acted(const StepResult& result, const Environment& now);
   void end_reply(const std::string& unreadable, const Environment& now);

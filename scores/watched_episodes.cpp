@@ -34,8 +34,10 @@ class WatchedEpisodes::Watcher : public EpisodeWatcher {
     follower_.emplace(start);
     is_whole_ = true;
   }
-  void before_reply(const Environment& now) override {
-    if (is_whole_) follower_->begin_reply(now);
+  void before_reply(const Answer* answer, const Environment& now) override {
+    if (!is_whole_) return;
+    follower_->begin_reply(now);
+    if (answer != nullptr) follower_->look(answer->actions.front(), now);
   }
   void after_reply(const std::string& unreadable, const StepResult& result, const Environment& now) override {
     is_whole_ = is_whole_ && result.executed.size() <= 1;

@@ -8,6 +8,7 @@
 
 #include "core/in_quotes.h"
 #include "core/text.h"
+#include "scene/action.h"
 
 namespace unietp {
 namespace {
@@ -65,6 +66,16 @@ Result<FoundAction> find_action(const std::vector<std::string>& words, const std
                  "`actions` lists them");
 }
 
+/// Errors: Usage for an action that lacks what it is done to, or is given more than it takes. It is not tried, since a
+/// slip of the hand should not cost a step.
+Result<Done> check_count(const std::string& action, std::size_t given) {
+  const auto type = action_named(action);
+  const std::size_t wanted = !type || info(*type).argument == ActionArgument::None ? 0 : 1;
+  if (!type || given == wanted) return Done{};
+  if (given > wanted) return no_line(action + (wanted == 0 ? " is done to nothing" : " is done to one thing"));
+  return no_line(action + " what? Add its number in the last list, its id, or in M3 a point of the picture");
+}
+
 /// Errors: Usage for a number that nothing has.
 Result<Json> argument_of(const std::string& word, const std::vector<ListedThing>& listed) {
   if (const auto numbers = numbers_of(word)) return Json{{numbers->size() == 2 ? "point" : "bbox", *numbers}};
@@ -85,6 +96,7 @@ Result<std::string> typed_action(std::string_view line, const std::vector<std::s
   if (words.empty()) return no_line("expected an action");
   const auto found = find_action(words, actions);
   if (!found) return found.error();
+  if (const auto fine = check_count(found->name, words.size() - found->words); !fine) return fine.error();
   Json arguments = Json::array();
   for (std::size_t i = found->words; i < words.size(); ++i) {
     auto argument = argument_of(words[i], listed);

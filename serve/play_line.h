@@ -20,7 +20,7 @@ struct ListedThing {
 ///    box "x0,y0,x1,y1" of the picture;
 ///  - or pick_up(mug_1), as actions are written in texts.
 /// `actions`: the names of those that are offered. Errors: Usage, for a person, when no action or more than one begins
-/// so, or when there is no such number.
+/// so, when it is given too much or too little, or when there is no such number.
 Result<std::string> typed_action(std::string_view line, const std::vector<std::string>& actions,
                                  const std::vector<ListedThing>& listed);
 

@@ -11,7 +11,11 @@ def main(name):
     os.dup2(2, 1)  # so that a print in the policy does not break the protocol
     sys.path.insert(0, os.getcwd())
     module, _, of_class = name.rpartition(".")
-    policy = getattr(importlib.import_module(module), of_class)()
+    try:
+        policy_class = getattr(importlib.import_module(module), of_class)
+    except (ImportError, AttributeError) as error:
+        sys.exit(f"cannot load {name}: {error}")
+    policy = policy_class()
     for line in sys.stdin:
         call = json.loads(line)
         params = call["params"]

@@ -207,7 +207,8 @@ void define_batch(nb::module_& module) {
             });
             return readable(observation, settings);
           },
-          "environment"_a, "The readable observation of one environment.")
+          nb::sig("def observe(self, environment: int) -> dict[str, typing.Any]"), "environment"_a,
+          "The readable observation of one environment.")
       .def(
           "text",
           [](SharedBatch& self, std::size_t environment) {

@@ -198,14 +198,17 @@ void define_privileged(nb::class_<SharedEnvironment>& environment) {
             return to_python(
                 self.alone([](SharedEnvironment& own) { return privileged_to_json(own.environment_.privileged()); }));
           },
+          nb::sig("def privileged(self) -> dict[str, typing.Any]"),
           "success, hopeless, progress, missing, goal, steps, failures, ended_by: not for the agent.")
       .def(
           "executed",
           [](SharedEnvironment& self) {
             return to_python(self.alone([](SharedEnvironment& own) { return executed_to_json(own.executed_); }));
           },
+          nb::sig("def executed(self) -> list[dict[str, typing.Any]]"),
           "What the last step's actions came to and changed: not for the agent.")
-      .def("scene", &scene, "The scene graph with all relations, as in a scene file: not for the agent.")
+      .def("scene", &scene, nb::sig("def scene(self) -> dict[str, typing.Any]"),
+           "The scene graph with all relations, as in a scene file: not for the agent.")
       .def(
           "expert_steps_left",
           [](SharedEnvironment& self) {

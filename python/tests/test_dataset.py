@@ -79,6 +79,14 @@ def test_validate_finds_a_changed_byte(folder, tmp_path):
         unietp.validate(tmp_path / "nowhere")
 
 
+def test_what_is_not_there_is_named(folder, dataset):
+    with pytest.raises(IndexError, match=f"{len(dataset)} lines; there is none at 9999"):
+        dataset[9999]
+    assert dataset[-1] == dataset[len(dataset) - 1]
+    with pytest.raises(unietp.Error, match="M1, M2, M3, not of 'M5'"):
+        dataset.demonstration(0, "M5")
+
+
 def test_wrong_files_are_errors(tmp_path):
     with pytest.raises(unietp.Error):
         unietp.load_dataset(tmp_path)

@@ -98,7 +98,9 @@ class _Lines(Sequence[dict[str, Any]]):
     def __getitem__(self, index: int | slice) -> Any:
         if isinstance(index, slice):
             return [self[i] for i in range(*index.indices(len(self)))]
-        number = range(len(self))[index]  # raises IndexError, and counts from the end for negative ones
+        if not -len(self) <= index < len(self):
+            raise IndexError(f"{self.path} has {len(self)} lines; there is none at {index}")
+        number = index % len(self)
         begin = self._ends[number - 1] if number else 0
         with self.path.open("rb") as file:
             file.seek(begin)
@@ -174,6 +176,8 @@ class Dataset(Sequence[TaskLine]):
     def demonstration(self, task: TaskLine | str | int, mode: str = "M1") -> Demonstration:
         """The stored demonstration of a task. Raises Error when the data set has none in that mode."""
         position = task if isinstance(task, int) else self.position(task if isinstance(task, str) else task.id)
+        if mode not in self.modes:
+            raise Error(f"{self.folder} has demonstrations of {', '.join(self.modes)}, not of {mode!r}")
         if mode not in self._demonstrations:
             self._demonstrations[mode] = _Lines(self._file(mode))
         return _demonstration(self._demonstrations[mode][position])

@@ -1,6 +1,6 @@
 """The environment of one agent."""
 
-from typing import Any, SupportsFloat
+from typing import Any, SupportsFloat, cast
 
 import gymnasium
 import numpy as np
@@ -42,7 +42,7 @@ class TaskEnv(gymnasium.Env[dict[str, np.ndarray], Any]):
             raise Error(f"no render_mode is named {render_mode!r}; accepted are {self.metadata['render_modes']}")
         self.render_mode = render_mode
         self.settings = env_spaces.settings  #: all settings by name
-        self.observation_space = env_spaces.observation_space
+        self.observation_space = cast("gymnasium.Space[dict[str, np.ndarray]]", env_spaces.observation_space)
         self.action_space = env_spaces.action_space
         self.categories = env_spaces.categories  #: category or room type by its number in arrays
         self.actions = env_spaces.actions  #: action by its number
@@ -168,7 +168,9 @@ class TaskEnv(gymnasium.Env[dict[str, np.ndarray], Any]):
             raise gymnasium.error.ResetNeeded("call reset first")
         return self._native
 
-    def _unpacked(self, result: tuple[dict[str, np.ndarray], dict[str, Any], np.ndarray | None]):
+    def _unpacked(
+        self, result: tuple[dict[str, np.ndarray], dict[str, Any], np.ndarray | None]
+    ) -> tuple[dict[str, np.ndarray], dict[str, Any]]:
         arrays, readable, picture = result
         if picture is not None:
             readable["image"] = picture

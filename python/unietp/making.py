@@ -152,7 +152,7 @@ def _env_spaces(source: TaskSource, mode: str, settings: dict[str, Any], max_thi
 def _task_source(dataset: str | None, procedural: dict[str, Any] | None) -> TaskSource:
     if (dataset is None) == (procedural is None):
         raise Error("give either a data set or what new tasks to make")
-    if procedural is not None:
+    if dataset is None:
         if not isinstance(procedural, dict):
             raise Error(f"procedural: expected a dict of what new tasks to make, not {procedural!r}")
         try:

@@ -11,15 +11,13 @@
 #include "core/files.h"
 #include "core/text.h"
 #include "data_set.h"
-#include "environment/environment.h"
 #include "environment/observation_json.h"
-#include "environment/task_source.h"
 #include "logic/evaluate.h"
 #include "program.h"
 #include "scene/trace.h"
 #include "schema_checker.h"
+#include "task_sources.h"
 #include "tests/environment/random_agent.h"
-#include "tests/support/committed_knowledge.h"
 #include "tests/support/scratch_folder.h"
 
 namespace unietp {
@@ -28,42 +26,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 using testing::RandomAgent;
 
-AllSimulatorData data() {
-  AllSimulatorData data;
-  for (const Simulator simulator : kSimulators) {
-    SimulatorData& one = data[static_cast<std::size_t>(simulator)];
-    one.knowledge = std::shared_ptr<const Knowledge>(std::shared_ptr<void>(), &committed_knowledge(simulator));
-    auto profile = load_profile(std::filesystem::path(UNIETP_SOURCE_DIR) / "data/simulators", simulator);
-    EXPECT_TRUE(profile);
-    one.profile = std::make_shared<const Profile>(std::move(*profile));
-  }
-  return data;
-}
-
-std::filesystem::path source_folder() {
-  const char* given = std::getenv("UNIETP_DATASET");
-  return given == nullptr ? data_set_in_all_modes() : std::filesystem::path(given);
-}
-
-TaskSource source(const std::filesystem::path& folder) {
-  auto opened = TaskSource::open(folder, data());
-  EXPECT_TRUE(opened) << format(opened.error());
-  return std::move(*opened);
-}
-
-TaskSource source() { return source(source_folder()); }
-
 std::size_t episodes(std::size_t usually) {
   const char* given = std::getenv("UNIETP_EPISODES");
   return given == nullptr ? usually : std::strtoul(given, nullptr, 10);
-}
-
-Environment environment_of(const TaskSource& tasks, std::size_t position, Mode mode) {
-  auto task = tasks.task(position);
-  EXPECT_TRUE(task) << format(task.error());
-  auto made = Environment::make(*task, settings_for(mode));
-  EXPECT_TRUE(made) << format(made.error());
-  return std::move(*made);
 }
 
 TEST(EnvironmentsOfADataSet, GiveForEachDemonstrationWhatItsFileSays) {
@@ -249,7 +214,7 @@ TEST(EnvironmentsOfADataSet, ComeInAnOrderOfTheSeedAndByTheirIds) {
   EXPECT_EQ(*tasks.task(id), *tasks.task(tasks.size() - 1)) << "shared";
   EXPECT_EQ(tasks.task("no-such-task").error().kind, Error::Kind::Usage);
   EXPECT_EQ(tasks.task(tasks.size()).error().kind, Error::Kind::Usage);
-  EXPECT_FALSE(TaskSource::open("no/such/folder", data()));
+  EXPECT_FALSE(TaskSource::open("no/such/folder", committed_simulators()));
 }
 
 }  // namespace

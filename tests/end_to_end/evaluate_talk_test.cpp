@@ -137,6 +137,42 @@ TEST(EvaluateTalk, AsManyPicturesAreSentAsAreAskedFor) {
   EXPECT_EQ(sent("2", "multi"), (std::vector<Counts>{{1}, {1, 1}, {0, 1, 1}, {0, 0, 1, 1}}));
 }
 
+/// The numbers of the boxes in the first turn of an evaluation with these options.
+std::vector<double> boxes_told(const std::vector<std::string>& options) {
+  const ScratchFolder scratch;
+  ChatServer server([](const Received&) { return completion(kStop); });
+  auto all = options;
+  all.insert(all.end(), {"--images", "none"});
+  const Ended ended = evaluate(server.url, scratch.at("run"), all);
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  std::vector<double> numbers;
+  for (const Json& body : bodies(server)) {
+    const std::string text = body["messages"].back()["content"];
+    const std::string view = text.substr(std::min(text.find("In view:"), text.size()));
+    for (auto at = view.find('['); at != std::string::npos; at = view.find('[', at + 1)) {
+      for (const double number : Json::parse(view.substr(at, view.find(']', at) + 1 - at))) numbers.push_back(number);
+    }
+  }
+  return numbers;
+}
+
+TEST(EvaluateTalk, BoxesAreToldInTheFormThatIsAskedForOrNotAtAll) {
+  const auto pixels = boxes_told({}), unit = boxes_told({"--box-format", "unit"}),
+             thousand = boxes_told({"--box-format", "thousand"}),
+             y_first = boxes_told({"--box-format", "thousand_y_first"});
+  ASSERT_GT(pixels.size(), 4U);
+  ASSERT_EQ(unit.size(), pixels.size());
+  ASSERT_EQ(thousand.size(), pixels.size());
+  ASSERT_EQ(y_first.size(), pixels.size());
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    EXPECT_LE(unit[i], 1);
+    EXPECT_NEAR(thousand[i], 1000 * unit[i], 1e-9);
+    EXPECT_EQ(y_first[i ^ 1], thousand[i]);
+  }
+  EXPECT_NE(pixels, thousand);
+  EXPECT_TRUE(boxes_told({"--boxes", "off"}).empty());
+}
+
 TEST(EvaluateTalk, TheReleasedRunnersPromptAsksInItsForm) {
   const ScratchFolder scratch;
   ChatServer server([](const Received& request) {

@@ -7,6 +7,7 @@
 #include <csignal>
 #include <map>
 #include <mutex>
+#include <set>
 #include <thread>
 
 #include <gmock/gmock.h>
@@ -220,26 +221,60 @@ TEST(Evaluate, AWrongKeyStopsTheRunAtOnce) {
   EXPECT_EQ(server.count(), 1);
 }
 
-TEST(Evaluate, WithoutFeedbackNoPromptTellsOfSuccess) {
-  const ScratchFolder scratch;
-  for (const char* chat : {"single", "multi"}) {
-    std::vector<std::string> users;
-    ChatServer server(&calm);
-    const auto ended = evaluate(with(model_at(server.url), "--feedback", "none", "--chat", chat, "--modes", "M1,M3"),
-                                scratch.at(chat));
-    EXPECT_EQ(ended.code, 0) << ended.err;
-    int told = 0;
-    for (const Received& request : server.received()) {
-      const auto body = nlohmann::json::parse(request.body);
-      for (const auto& message : body["messages"]) {
-        if (message["role"] != "user") continue;
-        ++told;
-        const std::string text = message["content"];
-        for (const char* word : {"succeed", "fail", "success", "true", "false"})
-          EXPECT_THAT(text, Not(HasSubstr(word)));
+/// The texts of all that a model was sent but for its own words and the system prompt, which says how many actions may
+/// fail.
+std::vector<std::string> told_in(ChatServer& server) {
+  std::vector<std::string> texts;
+  for (const Received& request : server.received()) {
+    const auto body = nlohmann::json::parse(request.body);
+    for (const auto& message : body["messages"]) {
+      if (message["role"] != "user") continue;
+      if (message["content"].is_string()) texts.push_back(message["content"]);
+      for (const auto& part : message["content"]) {
+        if (part.is_object() && part["type"] == "text") texts.push_back(part["text"]);
       }
     }
-    EXPECT_GT(told, 20);
+  }
+  return texts;
+}
+
+TEST(Evaluate, WithoutFeedbackNoPromptTellsOfSuccess) {
+  const ScratchFolder scratch;
+  using Options = std::vector<std::string>;
+  int run = 0;
+  for (const Options& talk :
+       {Options{"--chat", "single"}, Options{"--chat", "multi"}, Options{"--history", "none"},
+        Options{"--chat", "multi", "--history", "none"}, Options{"--images", "current"}, Options{"--prompt", "release"},
+        Options{"--prompt", "release", "--history", "none"}, Options{"--prompt", "release", "--images", "current"},
+        Options{"--prompt", "release", "--chat", "multi", "--box-format", "unit"}}) {
+    SCOPED_TRACE(::testing::PrintToString(talk));
+    ChatServer server(&calm);
+    Options options{"--model", "m",        "--llm-url",  server.url, "--llm-wait", "0",
+                    "--modes", "M1,M2,M3", "--feedback", "none",     "--limit",    "3"};
+    options.insert(options.end(), talk.begin(), talk.end());
+    if (std::find(talk.begin(), talk.end(), "--images") == talk.end())
+      options.insert(options.end(), {"--images", "none"});
+    const std::string out = scratch.at("run-" + std::to_string(run++));
+    const auto ended = evaluate(options, out);
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    std::set<std::string> sentences;
+    int failed = 0;
+    for (const EpisodeRecord& episode : episodes_in(out)) {
+      for (const EpisodeStep& step : episode.steps) {
+        for (const EpisodeAction& action : step.actions) {
+          failed += action.success ? 0 : 1;
+          if (!action.feedback.empty()) sentences.insert(action.feedback);
+        }
+      }
+    }
+    EXPECT_GT(failed, 2);
+    const auto texts = told_in(server);
+    EXPECT_GT(texts.size(), 10U);
+    for (const std::string& text : texts) {
+      for (const char* word : {"succeed", "fail", "success", "true", "false", "Feedback"})
+        ASSERT_THAT(text, Not(HasSubstr(word)));
+      for (const std::string& sentence : sentences) ASSERT_THAT(text, Not(HasSubstr(sentence)));
+    }
   }
 }
 
@@ -273,6 +308,45 @@ TEST(Evaluate, AChangedSettingIsNotResumed) {
   EXPECT_THAT(ended.err, HasSubstr("settings.M1.steps: 50 then, 20 now"));
 }
 
+TEST(Evaluate, AnotherPromptDataSetOrProgramIsNotResumed) {
+  const ScratchFolder scratch;
+  const fs::path prompt = scratch.path() / "own.prompt", run = scratch.at("run"), data = scratch.at("data");
+  fs::copy(data_set_in_all_modes(), data, fs::copy_options::recursive);
+  ASSERT_TRUE(write_file(prompt, "[turn]\n{{task}}\n{{view}}\n"));
+  ChatServer server(&calm);
+  const auto evaluate_again = [&](const std::vector<std::string>& more) {
+    auto options = with(model_at(server.url), "--limit", "1", "--prompt", prompt.string());
+    options.insert(options.begin(), {"evaluate", data.string(), "--out", run.string()});
+    options.insert(options.end(), more.begin(), more.end());
+    return run_program(options);
+  };
+  ASSERT_EQ(evaluate_again({}).code, 0);
+  ASSERT_EQ(evaluate_again({"--resume"}).code, 0) << "nothing has changed";
+  const int asked = server.count();
+  const auto refused = [&](const std::string& what) {
+    const Ended ended = evaluate_again({"--resume"});
+    EXPECT_EQ(ended.code, 2) << what;
+    EXPECT_THAT(ended.err, HasSubstr(what));
+    EXPECT_EQ(server.count(), asked);
+  };
+
+  ASSERT_TRUE(write_file(prompt, "[turn]\n{{task}}\n{{view}} \n"));
+  refused("talk.prompt_digest: ");
+  ASSERT_TRUE(write_file(prompt, "[turn]\n{{task}}\n{{view}}\n"));
+
+  const std::string tasks = *read_file(data / "tasks.jsonl");
+  const std::string text = R"("instruction":{"text":")";
+  ASSERT_NE(tasks.find(text), std::string::npos);
+  ASSERT_TRUE(write_file(data / "tasks.jsonl", std::string(tasks).insert(tasks.find(text) + text.size(), "Now ")));
+  refused("dataset.digest: ");
+  ASSERT_TRUE(write_file(data / "tasks.jsonl", tasks));
+
+  auto manifest = nlohmann::ordered_json::parse(*read_file(run / "manifest.json"));
+  manifest["setup"]["program"]["build"] = std::string(64, '0');
+  ASSERT_TRUE(write_file(run / "manifest.json", manifest.dump(2) + "\n"));
+  refused("program.build: ");
+}
+
 TEST(Evaluate, ProgramsActAndTheirEndIsNoFailureOfTheTask) {
   const ScratchFolder scratch;
   ASSERT_TRUE(write_file(scratch.path() / "agent.py",
@@ -304,7 +378,10 @@ TEST(Evaluate, ProgramsActAndTheirEndIsNoFailureOfTheTask) {
     EXPECT_EQ(episode.error->kind, EpisodeErrorKind::Policy);
     EXPECT_THAT(episode.error->message, HasSubstr("exit code 3"));
   }
-  EXPECT_EQ(run("no-such-program-here", "none").code, 1);
+  const auto nothing = run("randon", "none");
+  EXPECT_EQ(nothing.code, 2);
+  EXPECT_THAT(nothing.err, HasSubstr("there is no program \"randon\"; did you mean random?"));
+  EXPECT_FALSE(fs::exists(scratch.at("none")));
 }
 
 TEST(Evaluate, AnInterruptEndsItWithinTwoSeconds) {

@@ -5,10 +5,12 @@
 #include <gtest/gtest.h>
 
 #include "../resources/committed.h"
+#include "core/limits.h"
 #include "core/share_work.h"
 #include "environment/environment.h"
 #include "logic/evaluate.h"
 #include "procedural/procedural.h"
+#include "run/blocks.h"
 #include "scene/trace.h"
 #include "tests/environment/random_agent.h"
 
@@ -81,6 +83,31 @@ TEST(ProceduralTasks, CanBeSolvedInTheModesThatWereAskedFor) {
     ASSERT_EQ((*task)->text.expert.size(), 2U);
     EXPECT_EQ((*task)->text.expert.back().mode, Mode::M3);
   }
+}
+
+TEST(ProceduralTasks, AreInHomesThatNoDataSetHas) {
+  // Homes of the training pool are known by their seed and number. Those of a run are numbered from 0 on, and are at
+  // most as many as its tasks; the most that a run may have is kTasks.
+  std::vector<TaskSlot> slots(100);
+  for (std::size_t i = 0; i < slots.size(); ++i) slots[i].simulator = kSimulators[i % kSimulators.size()];
+  for (const int block : {1, 7, 100}) {
+    RunConfiguration run;
+    run.homes = HomeSource::Training;
+    run.block = block;
+    for (const Block& one : blocks_of(run, committed(), slots)) {
+      for (const HomeRange& homes : one.homes) EXPECT_LE(homes.first + homes.count, 100);
+    }
+  }
+  const Procedural source = procedural({});
+  std::set<std::string> homes;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    const auto task = source.task(seed);
+    ASSERT_TRUE(task) << format(task.error());
+    const std::string& home = (*task)->text.layout;
+    homes.insert(home);
+    EXPECT_GE(std::stoll(home.substr(home.rfind('-') + 1)), std::int64_t{limits::kTasks}) << home;
+  }
+  EXPECT_GT(homes.size(), 12U);
 }
 
 TEST(ProceduralTasks, RefuseWhatCannotBe) {

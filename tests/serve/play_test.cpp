@@ -39,6 +39,9 @@ TEST(TypedAction, ThatIsNoneOrMoreThanOneIsNotTriedInTheEpisode) {
   EXPECT_THAT(typed("go 3"), HasSubstr("nothing has the number 3"));
   EXPECT_THAT(typed("go 0"), HasSubstr("nothing has the number 0"));
   EXPECT_THAT(typed("go -1"), StartsWith("no: "));
+  EXPECT_THAT(typed("go"), HasSubstr("go_to what?"));
+  EXPECT_THAT(typed("go 1 2"), HasSubstr("go_to is done to one thing"));
+  EXPECT_THAT(typed("stop 1"), HasSubstr("stop is done to nothing"));
   EXPECT_THAT(typed(""), HasSubstr("expected an action"));
   EXPECT_THAT(typed("()"), HasSubstr("expected an action"));
 }
