@@ -72,7 +72,7 @@ class TextChecker {
 
   bool reads_back(const std::string& text) const {
     const auto read = readings(text);
-    return read && !read->empty() && all_meant(*read) && form_faults(text, specification_).empty();
+    return read && !all_strained(*read) && all_meant(*read) && form_faults(text, specification_).empty();
   }
 
   std::vector<std::string> faults(const std::string& text) const {
@@ -88,6 +88,8 @@ class TextChecker {
     } else if (!is_meant(read->front().goal)) {
       found.push_back("the text asks for " + to_text(normal_form(read->front().goal)) + ", the goal is " +
                       to_text(normal_form(specification_.goal)));
+    } else if (all_strained(*read)) {
+      found.emplace_back(kStrainedPronoun);
     }
     return found;
   }
@@ -105,6 +107,10 @@ class TextChecker {
     if (specification_.style == Style::Condition) all = without_conditions(all, specification_.init);
     return same_expanded(all, goal_) ||
            (counts_.is_known() && same_expanded(expanded(as_in_home(all, counts_)), goal_here_));
+  }
+  /// Also where there is none.
+  static bool all_strained(const std::vector<Reading>& read) {
+    return std::all_of(read.begin(), read.end(), [](const Reading& one) { return one.strained; });
   }
   /// Readings that are the same in this home are one.
   bool all_meant(const std::vector<Reading>& read) const {
@@ -212,7 +218,7 @@ class Writer {
         if (!text) continue;
       }
       if (!framed(*text, style, own)) return std::nullopt;
-      if (style == Style::Ellipsis && !contrasted(*text, own)) continue;
+      if (style == Style::Ellipsis && !with_contrast(*text, own)) continue;
       if (auto written = accepted(*text, style)) return written;
       last_ = std::move(*text);
     }
@@ -235,14 +241,11 @@ class Writer {
     return add_style_frame(text, specification_, style, judge_, knowledge_, nouns_, rng);
   }
 
-  /// "…, not the blue one.", behind a command that does not go on about "it".
-  bool contrasted(std::string& text, Rng& rng) const {
-    if (options_.home == nullptr || text.empty() || says(tokens_of(text), "it") || says(tokens_of(text), "and") ||
-        text.starts_with("Choose"))
-      return false;
-    const std::string contrast = contrast_of(judge_.goal(), *options_.home, nouns_, rng);
-    text.insert(text.size() - 1, contrast);
-    return !contrast.empty();
+  /// "the red mug, not the blue one"
+  bool with_contrast(std::string& text, Rng& rng) const {
+    auto told = options_.home == nullptr ? std::nullopt : contrasted(text, judge_.goal(), *options_.home, nouns_, rng);
+    if (told) text = std::move(*told);
+    return told.has_value();
   }
 
   std::optional<Instruction> accepted(const std::string& text, Style style) const {
@@ -266,7 +269,7 @@ class Writer {
         auto text = authored_text(phrasings[i], specification_, nouns_, {style, true, judge_.alone(), judge_.there()},
                                   judge_.counts(), own);
         if (!text || !framed(*text, style, own)) break;
-        if (style == Style::Ellipsis && !contrasted(*text, own)) break;
+        if (style == Style::Ellipsis && !with_contrast(*text, own)) break;
         auto written = accepted(*text, style);
         if (!written) continue;
         written->phrasing = static_cast<int>(i) + 1;

@@ -109,12 +109,15 @@ class TextReader {
 
   /// "…, not the blue one": which thing is meant, and that there is another.
   void contrast() {
-    if (!words_.accept(", not")) return;
-    Clause so;
-    so.subjects.push_back(words_.phrase());
-    if (so.subjects[0].determiner != Determiner::The || so.subjects[0].modifiers.empty())
-      words_.fail("expected which one is not meant, such as 'the blue one', before this");
-    say(Kind::Fact, {std::move(so)});
+    std::vector<NounPhrase> others = words_.contrasts();
+    if (words_.accept(", not")) others.push_back(words_.phrase());
+    for (NounPhrase& other : others) {
+      if (other.determiner != Determiner::The || other.modifiers.empty())
+        words_.fail("expected which one is not meant, such as 'the blue one', before this");
+      Clause so;
+      so.subjects.push_back(std::move(other));
+      say(Kind::Contrast, {std::move(so)});
+    }
   }
 
   void sentence() {
@@ -390,8 +393,13 @@ Result<std::vector<Reading>> readings_of(std::string_view text, const NounTable&
       if (!first) first = reading.error();
       continue;
     }
-    const auto known = [&](const Reading& other) { return same_reading(*reading, other); };
-    if (std::none_of(found.begin(), found.end(), known)) found.push_back(std::move(*reading));
+    const auto known = std::find_if(found.begin(), found.end(),
+                                    [&](const Reading& other) { return same_reading(*reading, other); });
+    if (known != found.end()) {
+      known->strained = known->strained && reading->strained;
+    } else {
+      found.push_back(std::move(*reading));
+    }
   }
   if (found.empty()) return *first;
   return found;
@@ -400,6 +408,8 @@ Result<std::vector<Reading>> readings_of(std::string_view text, const NounTable&
 Result<Formula> parse_with(std::string_view text, const NounTable& lexicon) {
   auto readings = readings_of(text, lexicon);
   if (!readings) return readings.error();
+  if (readings->size() == 1 && readings->front().strained)
+    return Error{Error::Kind::Parse, "instruction", {1, 1}, kStrainedPronoun};
   if (readings->size() == 1) return std::move(readings->front().goal);
   return Error{Error::Kind::Parse,
                "instruction",

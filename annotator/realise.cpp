@@ -176,6 +176,8 @@ class Realiser {
       }
       case Kind::Stated:
         return stated(said);
+      case Kind::Contrast:  // contrast.h
+        return std::nullopt;
     }
     return std::nullopt;
   }
@@ -227,7 +229,7 @@ class Realiser {
     const Text condition = clauses_.given(clause);
     const Text then = condition ? clauses_.command(clause) : std::nullopt;
     if (!then) return std::nullopt;
-    return framed(condition->substr(1) + pick({", please ", ", then "}), then, "");
+    return framed(condition->substr(1) + (everyday_ ? ", " : pick({", please ", ", then "})), then, "");
   }
 
   /// "once you've put the towel in the washer, turn it on"
@@ -246,6 +248,7 @@ class Realiser {
     if (!wanted.modifiers.empty() || naming_.was_named(wanted.variable)) return std::nullopt;
     wanted.modifiers = {clause.complements[0]};
     const auto thing = naming_.phrase(wanted, {.wanted = true});
+    naming_.set_topic(wanted.variable);
     return thing ? Text(thing->text) : std::nullopt;
   }
 
@@ -279,6 +282,8 @@ std::optional<std::string> fact_sentence(const NounPhrase& thing, Naming& naming
   const auto named = naming.phrase(body, {.wanted = true});
   if (!named || named->plural) return std::nullopt;
   const Text where = naming.complement(places[0], {.inside_description = true, .unique = true});
+  naming.mention_again(places[0].predicate == Predicate::NextTo ? "" : thing.variable);
+  naming.set_topic(thing.variable);
   const std::string there = rng.chance(0.5) ? "there is " : "there's ";
   return where ? Text(sentence(there + named->text + " " + *where, '.')) : std::nullopt;
 }

@@ -135,6 +135,18 @@ std::span<const PredicatePhrase> verb_phrases() {
   return all;
 }
 
+std::span<const PredicatePhrase> result_phrases() {
+  static constexpr std::array<PredicatePhrase, 8> kResults{{{"washed", {}, false, P::Clean},
+                                                            {"rinsed", {}, false, P::Clean},
+                                                            {"heated", {}, false, P::Hot},
+                                                            {"warmed", {}, false, P::Hot},
+                                                            {"chilled", {}, false, P::Cool},
+                                                            {"cooled", {}, false, P::Cool},
+                                                            {"cooked", {}, true, P::Cooked},
+                                                            {"soaked", {}, true, P::Soaked}}};
+  return kResults;
+}
+
 std::string_view words_for(Predicate predicate) { return kReadingRows[static_cast<std::size_t>(predicate)].evidence; }
 
 std::string_view words_only_for(Predicate predicate) {

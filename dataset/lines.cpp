@@ -42,6 +42,7 @@ Json instruction_json(const Instruction& instruction) {
             {"style", name_of(instruction.style)},
             {"checks", instruction.checks}};
   if (!instruction.why.empty()) json["why"] = instruction.why;
+  if (instruction.phrasing > 0) json["phrasing"] = instruction.phrasing;
   return json;
 }
 

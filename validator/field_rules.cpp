@@ -47,6 +47,7 @@ constexpr std::array kFieldRules{
     FieldInfo{"task", "instruction.checks", Rule::Recomputed, "from the writer"},
     FieldInfo{"task", "instruction.why", Rule::Free,
               "there exactly where the grammar stands in for a model; its words"},
+    FieldInfo{"task", "instruction.phrasing", Rule::Compared, "its template has it; the text has its words, in order"},
     FieldInfo{"task", "purpose.name", Rule::Recomputed, kPurpose},
     FieldInfo{"task", "purpose.because", Rule::Recomputed, kPurpose},
     FieldInfo{"task", "sense.grade", Rule::Recomputed, kGraded},
