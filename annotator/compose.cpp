@@ -240,8 +240,8 @@ class Composer {
     return f.op == Op::Not && f.children[0].op == Op::Not ? f.children[0].children[0] : f;
   }
 
-  /// "if a fridge is open, close a cabinet": what is named in it is named for this sentence only. "If the fridge is open,
-  /// close it.": the one that is open.
+  /// "if a fridge is open, close a cabinet": what is named in it is named for this sentence only. "If the fridge is
+  /// open, close it.": the one that is open.
   Formula conditional(const Clause& clause) {
     const std::size_t before = references_.named_count();
     Box condition, own;
@@ -368,6 +368,7 @@ class Composer {
         parts.push_back(exists(one, subjects[i].domain, said_of(clause.complements[k], variable(one), &objects[k])));
       }
     }
+    if (clause.put_down && !subjects[0].local) references_.mention_several();  // "…, put it down, and close it"
     return clause.any_subject ? any_of_parts(std::move(parts)) : conjunction(std::move(parts));
   }
 
@@ -380,10 +381,12 @@ class Composer {
     }
     const NounPhrase& phrase = done.object[0];
     const Resolved object = references_.resolve(phrase, box);
-    references_.mention_again(subject);
     if (subject.local || object.local || clause.any_subject)
       references_.fail(phrase.column, "which ones are meant is not clear");
-    return said_of(done, subject.term, &object);
+    std::vector<Formula> all{said_of(done, subject.term, &object)};
+    for (const Complement& inner : phrase.done) all.push_back(brought_about(inner, object, clause, box));
+    references_.mention_again(subject);
+    return conjunction(std::move(all));
   }
 
   References references_;

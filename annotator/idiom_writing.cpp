@@ -62,6 +62,7 @@ Text taken_away(const Clause& clause, Naming& naming, Rng& rng) {
   if (!where) return std::nullopt;
   const std::string them = all->plural ? "them" : "it";
   const std::string down = rng.chance(0.5) ? " down" : " somewhere else";
+  if (clause.put_down && !all->plural) naming.mention_again("");  // "…, put it down, and close the fridge again"
   return "take " + all->text + " " + *where + (clause.put_down ? " and put " + them + down : "");
 }
 

@@ -26,9 +26,10 @@ namespace unietp {
 namespace {
 
 constexpr int kDraws = 120;                  // forms tried before the grammar gives up on a style
+constexpr int kPronounDraws = 8;             // of these, draws with "it" wherever it is clear
 constexpr int kPlainDraws = 30;              // of these, draws without an opening "Choose a …"
 constexpr int kFreeDraws = 90;               // of these, draws that are not operator by operator
-constexpr double kAuthoredShare = 0.5;       // of the texts for which the template's own phrasings come first
+constexpr double kAuthoredShare = 0.75;      // of the texts for which the template's own phrasings come first
 constexpr std::uint64_t kAuthoredDraws = 2;  // ways to name the things of each
 
 bool ranges_over(const Formula& formula, const Domain& noun) {
@@ -163,9 +164,9 @@ std::optional<std::string> request_for(const Formula& goal, const NounTable& lex
 
 /// A wording of the plan from the set of phrasings asked for; about half of all wordings are.
 std::optional<std::string> worded(const Plan& plan, const NounTable& lexicon, Style style, Phrasings set,
-                                  const TextChecker& judge, const Rng& rng) {
+                                  const TextChecker& judge, double pronouns, const Rng& rng) {
   constexpr std::uint64_t kWordings = 4;
-  const Wording wording{style, set == Phrasings::Everyday, judge.alone(), judge.there()};
+  const Wording wording{style, set == Phrasings::Everyday, judge.alone(), judge.there(), pronouns};
   for (std::uint64_t i = 0; i < kWordings; ++i) {
     auto text = realise(plan, lexicon, wording, rng.fork("words", i));
     if (!text || set == Phrasings::Everyday || set == Phrasings::All || phrasings_of(*text, lexicon) == set)
@@ -206,7 +207,7 @@ class Writer {
       if (!text) {
         auto plan =
             plan_message(exactly ? specification_.goal : judge_.plain_goal(), specification_.init,
-                         {draw >= kPlainDraws, style == Style::Condition, is_everyday(), exactly, judge_.counts()},
+                         {chooses(draw, style), style == Style::Condition, is_everyday(), exactly, judge_.counts()},
                          own.fork("plan", 0));
         if (!plan && (exactly || style != Style::Direct)) return std::nullopt;
         if (!plan) {
@@ -214,7 +215,8 @@ class Writer {
           continue;
         }
         if (!turn_to_style(*plan, style)) continue;
-        text = worded(*plan, nouns_, style, options_.phrasings, judge_, own);
+        // Where "it" could be two things, both are named.
+        text = worded(*plan, nouns_, style, options_.phrasings, judge_, draw < kPronounDraws ? 1 : 0.5, own);
         if (!text) continue;
       }
       if (!framed(*text, style, own)) return std::nullopt;
@@ -236,6 +238,10 @@ class Writer {
   }
 
  private:
+  /// Nobody chooses before they go on about what is there.
+  bool chooses(int draw, Style style) const {
+    return draw >= kPlainDraws && (!is_everyday() || style == Style::Direct);
+  }
   bool is_everyday() const { return options_.phrasings == Phrasings::Everyday; }
   bool framed(std::string& text, Style style, Rng& rng) const {
     return add_style_frame(text, specification_, style, judge_, knowledge_, nouns_, rng);

@@ -258,7 +258,7 @@ std::optional<Words> Naming::again(const NounPhrase& said, const Noun& noun, Pla
   }
   const bool clear = is_what_it_means(said, place);
   mentioned_.push_back(said.variable);
-  const double usual = everyday() ? 0.95 : named_.size() > 1 ? 0 : style_ == Style::Anaphora ? 1 : 0.7;
+  const double usual = everyday() ? wording_.pronouns : named_.size() > 1 ? 0 : style_ == Style::Anaphora ? 1 : 0.7;
   if (clear && rng_.chance(usual)) return is_plural(noun) ? Words{"them", true} : Words{"it"};
   // "That object" is clear only where no other was named: "that thing to drink from".
   const std::string word = !vague ? noun.singular : named_.size() == 1 ? "object" : named_again(use);

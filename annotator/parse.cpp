@@ -224,12 +224,31 @@ class TextReader {
     if (after.poured && !before.complements.empty()) after.complements[0].symbol = before.complements[0].symbol;
   }
 
+  /// What follows "then": a command, or another place, "put the egg on the table and then in the sink".
+  Clause next(const Clause& before) {
+    const bool moved = before.kind == Clause::Kind::Simple && before.subjects.size() == 1 &&
+                       before.complements.size() == 1 && before.complements[0].object.size() == 1 &&
+                       before.subjects[0].determiner != Determiner::It;
+    Clause after;
+    if (moved && words_.complement_comes()) {
+      NounPhrase thing;
+      thing.determiner = Determiner::Known;
+      thing.noun = before.subjects[0].noun;
+      thing.column = words_.column();
+      after.subjects = {std::move(thing)};
+      words_.complements(after);
+      return after;
+    }
+    after = clauses_.command();
+    take_symbol(before, after);
+    return after;
+  }
+
   /// "… then …": what follows "first".
   void in_order() {
     Clause before = clauses_.command();
     then();
-    Clause after = clauses_.command();
-    take_symbol(before, after);
+    Clause after = next(before);
     const bool both = kept();
     say(both ? Kind::ThenKept : Kind::Then, {std::move(before), std::move(after)});
   }
@@ -268,10 +287,9 @@ class TextReader {
       Clause clause = clauses_.command();
       if (then_comes()) {
         then();
-        Clause next = clauses_.command();
-        take_symbol(clause, next);
+        Clause after = next(clause);
         const bool again = words_.accept("again");
-        say(again ? Kind::Again : kept() ? Kind::ThenKept : Kind::Then, {std::move(clause), std::move(next)});
+        say(again ? Kind::Again : kept() ? Kind::ThenKept : Kind::Then, {std::move(clause), std::move(after)});
         return;
       }
       if (words_.accept_one({", and only then", "first , and then"}) >= 0) return only_then(std::move(clause));
@@ -393,8 +411,8 @@ Result<std::vector<Reading>> readings_of(std::string_view text, const NounTable&
       if (!first) first = reading.error();
       continue;
     }
-    const auto known = std::find_if(found.begin(), found.end(),
-                                    [&](const Reading& other) { return same_reading(*reading, other); });
+    const auto known =
+        std::find_if(found.begin(), found.end(), [&](const Reading& other) { return same_reading(*reading, other); });
     if (known != found.end()) {
       known->strained = known->strained && reading->strained;
     } else {

@@ -143,7 +143,10 @@ class Realiser {
       case Kind::Then:
       case Kind::ThenKept: {
         const Text first = clauses_.command(clauses[0]);
-        const Text second = first ? clauses_.command(clauses[1]) : std::nullopt;
+        const bool another_place = everyday_ && !said.inverted && first && goes_on_to_another_place(*first, clauses);
+        const Text second = another_place ? naming_.complement(clauses[1].complements[0], {})
+                            : first       ? clauses_.command(clauses[1])
+                                          : std::nullopt;
         if (!second) return std::nullopt;
         if (everyday_) return in_order(*first, *second, said.inverted);
         const std::string kept =
@@ -195,10 +198,21 @@ class Realiser {
     return sentence(join(parts, ", ") + ", and " + last + " again", '.');
   }
 
+  /// "Put the egg on the table and then in the sink."
+  static bool goes_on_to_another_place(const std::string& first, const std::vector<Clause>& clauses) {
+    const auto puts = [](const Clause& clause) {
+      return clause.kind == Clause::Kind::Simple && clause.subjects.size() == 1 && clause.complements.size() == 1 &&
+             clause.complements[0].object.size() == 1 && !clause.complements[0].negated;
+    };
+    if (!puts(clauses[0]) || !puts(clauses[1]) || clauses[0].subjects[0].variable.empty()) return false;
+    return clauses[0].subjects[0].variable == clauses[1].subjects[0].variable &&
+           (first.starts_with("put ") || first.starts_with("place ")) && first.find(" it ") == first.npos;
+  }
+
   /// "First wash a pan, then heat it."
   Text in_order(const std::string& first, const std::string& second, bool inverted) {
     if (inverted) return framed("before you ", Text(first + ", " + second), "");
-    if (rng_.chance(0.4)) return framed("first ", Text(first + ", then " + second), "");
+    if (rng_.chance(0.2)) return framed("first ", Text(first + ", then " + second), "");
     return framed("", Text(first + (rng_.chance(0.6) ? ", then " : " and then ") + second), "");
   }
 

@@ -57,7 +57,7 @@ void take_content(std::vector<Clause>& clauses, NounPhrase& thing) {
 }  // namespace
 
 void join_results(std::vector<Clause>& clauses) {
-  for (std::size_t i = 0; i < clauses.size(); ++i) {
+  for (std::size_t i = clauses.size(); i-- > 0;) {  // what something is put in is put somewhere later
     if (!puts(clauses[i])) continue;
     Clause placed = clauses[i];
     std::vector<Clause> rest = clauses;
@@ -68,7 +68,7 @@ void join_results(std::vector<Clause>& clauses) {
       take_state(rest, thing);
     }
     if (rest.size() + 1 == clauses.size()) continue;
-    rest.push_back(std::move(placed));
+    rest.insert(rest.begin() + static_cast<std::ptrdiff_t>(std::min(i, rest.size())), std::move(placed));
     clauses = std::move(rest);
     return;
   }
