@@ -311,7 +311,8 @@ std::optional<std::string> ClauseWriter::taken_first(const Clause& clause) {
   place.bare_room = naming_.everyday();
   if (there && (goes.predicate == Predicate::On || goes.predicate == Predicate::Inside) && rng_.chance(0.5)) {
     const auto to = naming_.phrase(goes.object[0], place);
-    return to ? Text("move " + subject->text + " from " + *there + " to " + to->text) : std::nullopt;
+    if (!to || to->text == "it") return std::nullopt;
+    return "move " + subject->text + " from " + *there + " to " + to->text;
   }
   const Text where = naming_.complement(goes, place);
   const std::string put = naming_.everyday() ? " and put " : pick({" and put ", " and place "});
@@ -346,7 +347,7 @@ std::optional<std::string> ClauseWriter::filled(const std::string& pattern, cons
     Place place = place_of(clause);
     place.bare_room = naming_.everyday() && text.ends_with(" {o}");
     const auto object = naming_.phrase(clause.complements[0].object[0], place);
-    if (!object) return std::nullopt;
+    if (!object || (object->text == "it" && text.ends_with(" to {o}"))) return std::nullopt;
     const bool plain = naming_.everyday() && clause.complements[0].object[0].modifiers.empty();
     if (plain || object->text == "it") text = replace_all(text, "the floor of {o}", floor_of(object->text, false));
     text = replace_all(text, "{o}", object->text);

@@ -238,10 +238,8 @@ class Writer {
   }
 
  private:
-  /// Nobody chooses before they go on about what is there.
-  bool chooses(int draw, Style style) const {
-    return draw >= kPlainDraws && (!is_everyday() || style == Style::Direct);
-  }
+  /// Nobody chooses who has just said what is there.
+  bool chooses(int draw, Style style) const { return draw >= kPlainDraws && style != Style::Anaphora; }
   bool is_everyday() const { return options_.phrasings == Phrasings::Everyday; }
   bool framed(std::string& text, Style style, Rng& rng) const {
     return add_style_frame(text, specification_, style, judge_, knowledge_, nouns_, rng);

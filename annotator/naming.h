@@ -22,10 +22,10 @@ struct Words {
 /// How a plan is worded.
 struct Wording {
   Style style = Style::Direct;
-  bool everyday = true;                // as people ask for things; false: a wide choice of frames and statements
-  std::span<const std::string> alone;  // categories and room types of which the home has one, sorted: "the sink"
-  std::span<const std::string> there;  // those of which it has any, sorted; empty where the home is not known
-  double pronouns = 1;                 // share of things that are "it" where that is clear
+  bool everyday = true;                     // as people ask for things; false: a wide choice of frames and statements
+  std::span<const std::string> alone = {};  // categories and room types of which the home has one, sorted: "the sink"
+  std::span<const std::string> there = {};  // those of which it has any, sorted; empty where the home is not known
+  double pronouns = 1;                      // share of things that are "it" where that is clear
 };
 
 /// The context of a noun phrase that limits its determiner.

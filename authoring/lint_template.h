@@ -18,7 +18,7 @@ struct LintedFile {
     int line = 0;
     PhrasingReading reading;
   };
-  std::vector<Phrasing> phrasings;  // of a file without errors, in their order
+  std::vector<Phrasing> phrasings = {};  // of a file without errors, in their order
 };
 
 /// Reads a template's text and checks what it asks for. Errors: those of parse_template and unknown_categories.
