@@ -110,7 +110,7 @@ bool make_exception(Message& message) {
   return false;
 }
 
-/// "If the stove is on, turn it off.": one command about a thing, and how that is now.
+/// "If the stove is on, turn it off.": one command about the only such thing, and how that is now.
 bool make_condition_of_thing(Plan& plan) {
   if (plan.message.size() != 1 || !says_one_thing(plan.message[0])) return false;
   Clause& clause = plan.message[0].clauses[0];
@@ -121,7 +121,7 @@ bool make_condition_of_thing(Plan& plan) {
            start.modifiers[0].symbol.empty() && opposite == start.modifiers[0].predicate;
   };
   const auto there = std::find_if(plan.conditions.begin(), plan.conditions.end(), is_so);
-  if (!opposite || there == plan.conditions.end() || !thing.modifiers.empty()) return false;
+  if (!opposite || there == plan.conditions.end() || !thing.modifiers.empty() || thing.there != 1) return false;
   NounPhrase now = *there;
   now.variable = thing.variable;
   clause.given = {std::move(now)};
