@@ -101,7 +101,7 @@ class PhraseReader {
   std::optional<Domain> occasion_;
   std::vector<Domain> named_;  // what "the red one" may be one of
   std::vector<NounPhrase> contrasts_;
-  int depth_ = 0;              // of descriptions, whose nouns it cannot be
+  int depth_ = 0;  // of descriptions, whose nouns it cannot be
   std::size_t at_ = 0;
   bool bare_places_ = false, bare_rooms_ = false, comma_lists_ = true, results_ = false;
   std::optional<Error> error_;

@@ -16,10 +16,10 @@ struct StyleShare {
   double weight;
 };
 constexpr std::array kShares = {
-    StyleShare{Style::Alias, 1},          StyleShare{Style::Function, 1},       StyleShare{Style::Hypernym, 2},
-    StyleShare{Style::Description, 3},    StyleShare{Style::Context, 1.2},      StyleShare{Style::Request, 100},
-    StyleShare{Style::Aside, 0.8},        StyleShare{Style::Negation, 0.7},     StyleShare{Style::Exception, 100},
-    StyleShare{Style::Ellipsis, 3},       StyleShare{Style::Anaphora, 2},       StyleShare{Style::Compound, 10},
+    StyleShare{Style::Alias, 1},          StyleShare{Style::Function, 1},        StyleShare{Style::Hypernym, 2},
+    StyleShare{Style::Description, 3},    StyleShare{Style::Context, 1.2},       StyleShare{Style::Request, 100},
+    StyleShare{Style::Aside, 0.8},        StyleShare{Style::Negation, 0.7},      StyleShare{Style::Exception, 100},
+    StyleShare{Style::Ellipsis, 3},       StyleShare{Style::Anaphora, 2},        StyleShare{Style::Compound, 10},
     StyleShare{Style::InvertedOrder, 20}, StyleShare{Style::VagueQuantity, 100}, StyleShare{Style::Condition, 20}};
 
 bool says(const Formula& goal, const auto& is_asked) {
@@ -57,7 +57,8 @@ bool is_undone_in_one(const Specification& plain, const SceneOffer& offer) {
       goal.domain.members.size() != 1 || number_of(offer, goal.domain.members[0].category) != 1)
     return false;
   const Formula& asked = goal.children[0].children[0];
-  const auto opposite = asked.op == Formula::Op::Atom && asked.terms.size() == 1 ? opposite_of(asked.predicate) : std::nullopt;
+  const auto opposite =
+      asked.op == Formula::Op::Atom && asked.terms.size() == 1 ? opposite_of(asked.predicate) : std::nullopt;
   return opposite && std::any_of(plain.init.begin(), plain.init.end(), [&](const Formula& start) {
            return start.op == Formula::Op::Forall && start.domain == goal.domain &&
                   start.children[0].op == Formula::Op::Atom && start.children[0].predicate == *opposite;
