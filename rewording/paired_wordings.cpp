@@ -23,6 +23,7 @@ class PairWriter {
       : task_(task),
         start_(std::move(start)),
         backend_(backend),
+        english_(options.english),
         writing_{options.phrasings, categories_in(start_), &start_},
         rng_(wording_stream(options.seed.value_or(task.record.run), task.record.slot, task.record.attempt)
                  .fork("pair", 0)) {
@@ -57,12 +58,14 @@ class PairWriter {
     Specification specification = task_.specification;
     specification.goal = goal;
     specification.style = style;
-    return write_instruction(specification, backend_.knowledge, backend_.nouns, writing_, rng_.fork(name_of(style), 0));
+    return write_instruction(specification, backend_.knowledge, backend_.nouns_in(english_), writing_,
+                             rng_.fork(name_of(style), 0));
   }
 
   const WordedTask& task_;
   Scene start_;
   const Backend& backend_;
+  English english_;
   WritingOptions writing_;
   Rng rng_;
   Trace trace_;

@@ -13,6 +13,7 @@ namespace unietp {
 /// How paired wordings are written.
 struct PairOptions {
   Phrasings phrasings = Phrasings::Everyday;
+  English english = English::Us;
   std::optional<std::uint64_t> seed;  // of the wording; without it each run's own
 };
 

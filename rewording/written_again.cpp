@@ -88,7 +88,7 @@ ReviewMarkEntry written_again(const ReviewMarkRecord& mark) {
 
 std::optional<WritingEntry> written_again(const std::optional<RecordedWriting>& writing) {
   if (!writing) return std::nullopt;
-  return WritingEntry{writing->writer, writing->seed, writing->phrasings, writing->counts};
+  return WritingEntry{writing->writer, writing->seed, writing->phrasings, writing->english, writing->counts};
 }
 
 Result<Manifest> written_again(std::string_view where, const ManifestRecord& manifest) {

@@ -206,6 +206,7 @@ class TaskProver {
                                                {around.begin(), around.end()},
                                                &start_,
                                                phenomena,
+                                               tools_.manifest == nullptr ? "us" : tools_.manifest->english,
                                                tools_.manifest == nullptr ? "everyday" : tools_.manifest->phrasings});
     for (Problem& problem : problems) problem.error.where = where;
     found(std::move(problems));
