@@ -95,6 +95,14 @@ class TextChecker {
     return found;
   }
 
+  Result<Formula> goal_of(const std::string& text) const {
+    const auto read = readings(text);
+    if (!read) return read.error();
+    if (read->size() != 1 || read->front().strained)
+      return Error{Error::Kind::Parse, "instruction", {1, 1}, "the text has several readings in this home, or none"};
+    return read->front().goal;
+  }
+
  private:
   Result<std::vector<Reading>> readings(const std::string& text) const {
     auto read = readings_of(text, lexicon_);
@@ -310,6 +318,11 @@ Result<Instruction> write_instruction(const Specification& specification, const 
 
 Result<Formula> parse_instruction(std::string_view text, const Knowledge& knowledge) {
   return parse_with(text, NounTable(knowledge));
+}
+
+Result<Formula> goal_of_text(const std::string& text, const Specification& specification, const Knowledge& knowledge,
+                             const NounTable& nouns, const Scene& home) {
+  return TextChecker(specification, knowledge, nouns, &home).goal_of(text);
 }
 
 std::vector<std::string> check_instruction(const std::string& text, const Specification& specification,

@@ -184,7 +184,8 @@ Exit reword_dataset(const RewordRequest& request, const Resources& resources, co
   AnnotateOptions options;
   options.writer = *writer_named(choice.writer);
   options.seed = request.seed;
-  options.paired = request.paired;
+  options.paired = request.paired || request.contrasts;
+  options.contrasts = request.contrasts;
   options.replace_human = request.replace_human;
   options.stand_in = choice.stand_in;
   options.llm.model = choice.llm.model;

@@ -31,7 +31,7 @@ std::optional<English> english_of(const WriterChoice& choice);
 struct RewordRequest {
   std::filesystem::path folder, out;
   std::optional<std::uint64_t> seed;
-  bool paired = false, replace_human = false;
+  bool paired = false, contrasts = false, replace_human = false;
 };
 
 /// Rewrites the instructions of a data set and prints a summary. Exit::Wrong when answers are still missing; the data

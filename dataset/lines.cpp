@@ -167,6 +167,10 @@ std::string line_of(const WordingsEntry& wordings) {
     json["referring"]["goal"] = wordings.referring_goal;
   }
   if (wordings.complex) json["complex"] = instruction_json(*wordings.complex);
+  if (wordings.contrast) {
+    json["contrast"] = instruction_json(*wordings.contrast);
+    json["contrast"]["goal"] = wordings.contrast_goal;
+  }
   return dumped(json);
 }
 

@@ -279,7 +279,8 @@ Result<AnnotateReport> annotate_dataset(const fs::path& folder, const fs::path& 
     return done.error();
   if (report.unanswered > 0 && !options.stand_in) return report;
   if (options.paired) {
-    if (auto done = write_paired_wordings(folder, resources, {options.llm.phrasings, english_of(options), options.seed},
+    if (auto done = write_paired_wordings(folder, resources,
+                                          {options.llm.phrasings, english_of(options), options.seed, options.contrasts},
                                           copy->folder() / kWordingsFile);
         !done)
       return done.error();

@@ -74,6 +74,9 @@ Result<WordingsEntry> written_again(const WordingsRecord& wordings) {
       entry.direct = std::move(*instruction);
     } else if (name == "complex") {
       entry.complex = std::move(*instruction);
+    } else if (name == "contrast") {
+      entry.contrast = std::move(*instruction);
+      entry.contrast_goal = wording.goal;
     } else {
       entry.referring = std::move(*instruction);
       entry.referring_goal = wording.goal;

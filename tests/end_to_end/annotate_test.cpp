@@ -148,6 +148,50 @@ TEST_F(AnnotateCommand, TheGrammarWithTheRunsSeedGivesTheSameTexts) {
   expect_sound();
 }
 
+TEST_F(AnnotateCommand, TheEnglishIsChosenRecordedAndKept) {
+  ASSERT_EQ(annotate({"--english", "gb"}).code, 0);
+  expect_sound();
+  EXPECT_EQ(Json::parse(*read_file(data() / "manifest.json"))["instructions"]["english"], "gb");
+  std::string american, british;
+  for (const auto& line : json_lines(made() / "tasks.jsonl"))
+    american += line["instruction"]["text"].get<std::string>();
+  for (const auto& line : json_lines(data() / "tasks.jsonl")) british += line["instruction"]["text"].get<std::string>();
+  EXPECT_NE(american, british);
+  for (const char* word : {"trash can", "faucet", "closet", "couch"}) EXPECT_THAT(british, Not(HasSubstr(word)));
+  ASSERT_EQ(annotate({}).code, 0);
+  EXPECT_EQ(Json::parse(*read_file(data() / "manifest.json"))["instructions"]["english"], "gb");
+  const auto unknown = annotate({"--english", "oz"});
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("--english"));
+}
+
+TEST_F(AnnotateCommand, ContrastsDifferInOneWordAndMeanSomethingElse) {
+  ASSERT_EQ(annotate({"--contrasts"}).code, 0);
+  expect_sound();
+  int contrasts = 0;
+  for (const auto& line : json_lines(data() / "wordings.jsonl")) {
+    if (!line.contains("contrast")) continue;
+    ++contrasts;
+    const auto one = split(line["direct"]["text"].get<std::string>(), ' ');
+    const auto other = split(line["contrast"]["text"].get<std::string>(), ' ');
+    ASSERT_EQ(one.size(), other.size());
+    int differ = 0;
+    for (std::size_t i = 0; i < one.size(); ++i) differ += one[i] == other[i] ? 0 : 1;
+    EXPECT_EQ(differ, 1) << line["contrast"]["text"];
+  }
+  EXPECT_GE(contrasts, kCount / 2);
+  // The same text cannot have both goals.
+  auto lines = json_lines(data() / "wordings.jsonl");
+  for (auto& line : lines)
+    if (line.contains("contrast")) line["contrast"]["text"] = line["direct"]["text"];
+  std::string changed;
+  for (const auto& line : lines) changed += line.dump() + "\n";
+  ASSERT_TRUE(write_file(data() / "wordings.jsonl", changed));
+  const auto ended = run_program({"validate", data().string()});
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_THAT(ended.out + ended.err, HasSubstr("its contrast does not differ from the direct wording in one word"));
+}
+
 TEST_F(AnnotateCommand, AnotherSeedAndTurnsOfPhraseGiveOthers) {
   const auto ended = annotate({"--seed", "77", "--phrasings", "benchmark"});
   EXPECT_EQ(ended.code, 0) << ended.err;
