@@ -232,6 +232,10 @@ std::optional<std::string> ClauseWriter::worded(const Clause& clause) {
       auto patterns = naming_.everyday() ? everyday_verbs(clause.complements[0]) : verbs(clause.complements[0]);
       if (naming_.everyday() && !said_not(clause) && naming_.comes_from_a_shaker(clause.complements[0].symbol))
         patterns = {"sprinkle {m} on {s}"};
+      // One moves an apple to a shelf, and puts it on a plate.
+      const auto& places = clause.complements[0].object;
+      if (naming_.everyday() && !places.empty() && naming_.is_carried(places[0].noun))
+        std::erase_if(patterns, [](const std::string& pattern) { return pattern == "move {s} to {o}"; });
       const bool clean_subject = clause.subjects[0].determiner != Determiner::No &&
                                  clause.subjects[0].determiner != Determiner::AtMost &&
                                  clause.subjects[0].determiner != Determiner::Agent;

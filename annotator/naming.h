@@ -74,6 +74,8 @@ class Naming {
   bool is_countable(const Domain& noun) const;
   /// Whether the home has one such object, so that "the fridge" means it.
   bool is_alone(const Domain& noun) const;
+  /// Whether people carry it about.
+  bool is_carried(const Domain& noun) const;
   /// "clean", "on that table", "filled with water".
   std::optional<std::string> complement(const Complement& complement, Place place);
   bool was_named(const std::string& variable) const;
@@ -100,7 +102,6 @@ class Naming {
     bool vague = false;  // "that object" may mean it
     std::string use;     // "something to drink from", or ""
   };
-  bool is_carried(const Domain& noun) const;
   static bool is_made(const NounPhrase& said);
   static bool is_plural(const Noun& noun);  // "the crackers", of which there is no one
   std::vector<std::string> nameless(const Domain& noun, AliasKind use) const;

@@ -1,5 +1,6 @@
 #include "annotator/realise.h"
 
+#include <algorithm>
 #include <initializer_list>
 #include <string_view>
 
@@ -68,9 +69,13 @@ class Realiser {
       if (!part) return std::nullopt;
       parts.push_back(*part);
     }
-    const bool long_parts = parts.size() == 2 && (parts[0].find(" and ") != std::string::npos);
-    const std::string body = long_parts ? parts[0] + ", and " + parts[1] : listed(parts, "and");
-    return asked(body, is_first);
+    // "Take the vase off the shelf and put it on the desk. Close the fridge."
+    const auto is_long = [](const std::string& part) { return part.find(" and put ") != part.npos; };
+    if (parts.size() < 2 || std::none_of(parts.begin(), parts.end(), is_long))
+      return asked(listed(parts, "and"), is_first);
+    std::vector<std::string> sentences;
+    for (const std::string& part : parts) sentences.push_back(*asked(part, is_first && sentences.empty()));
+    return join(sentences, " ");
   }
 
   Text final_sentence(std::size_t from, std::size_t to, bool is_first) {
@@ -304,7 +309,7 @@ std::optional<std::string> fact_sentence(const NounPhrase& thing, Naming& naming
 
 std::optional<std::string> realise(const Plan& plan, const NounTable& lexicon, const Wording& wording, Rng rng) {
   auto text = Realiser(plan, lexicon, wording, rng).text();
-  for (const char* twice : {" that that ", " it in it", " it on it"})  // right, and hard to read
+  for (const char* twice : {" that that ", " it in it", " it on it", " on it on "})  // right, and hard to read
     if (text && text->find(twice) != std::string::npos) return std::nullopt;
   return text;
 }
