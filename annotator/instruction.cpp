@@ -20,6 +20,7 @@
 #include "annotator/realise.h"
 #include "annotator/style.h"
 #include "annotator/word_check.h"
+#include "core/text.h"
 #include "scene/trace.h"
 
 namespace unietp {
@@ -260,7 +261,8 @@ class Writer {
     return told.has_value();
   }
 
-  std::optional<Instruction> accepted(const std::string& text, Style style) const {
+  std::optional<Instruction> accepted(const std::string& written, Style style) const {
+    const std::string text = nouns_.english() == English::Us ? replace_all(written, " grey ", " gray ") : written;
     if (!judge_.reads_back(text) || !style_fault(text, style, specification_.goal, options_.around, nouns_).empty())
       return std::nullopt;
     return Instruction{text,  "grammar",
