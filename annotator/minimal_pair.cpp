@@ -15,12 +15,13 @@ namespace {
 
 constexpr std::size_t kTried = 24;
 
-using Words = std::pair<std::string_view, std::string_view>;
-constexpr std::array kOpposites{
-    Words{"open", "close"},  Words{"on", "off"},         Words{"on", "in"},         Words{"heat", "chill"},
-    Words{"two", "three"},   Words{"three", "four"},     Words{"one", "two"},       Words{"larger", "smaller"},
-    Words{"dirty", "clean"}, Words{"open", "closed"},    Words{"hot", "cold"},      Words{"cooked", "raw"},
-    Words{"wash", "soak"},   Words{"heated", "chilled"}, Words{"washed", "heated"}, Words{"under", "on"}};
+using WordPair = std::pair<std::string_view, std::string_view>;
+constexpr std::array kOpposites{WordPair{"open", "close"},  WordPair{"on", "off"},         WordPair{"on", "in"},
+                                WordPair{"heat", "chill"},  WordPair{"two", "three"},      WordPair{"three", "four"},
+                                WordPair{"one", "two"},     WordPair{"larger", "smaller"}, WordPair{"dirty", "clean"},
+                                WordPair{"open", "closed"}, WordPair{"hot", "cold"},       WordPair{"cooked", "raw"},
+                                WordPair{"wash", "soak"},   WordPair{"heated", "chilled"}, WordPair{"washed", "heated"},
+                                WordPair{"under", "on"}};
 
 /// A word of the text, and what stands in its place.
 struct Change {
