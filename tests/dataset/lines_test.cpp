@@ -96,7 +96,7 @@ TEST(Lines, AManifestFollowsItsSchema) {
   manifest.sources = {{"curated", "this project", "MIT"}};
   SchemaChecker checker;
   EXPECT_EQ(checker.check(Json::parse(to_text(manifest)), "manifest.schema.json"), "");
-  manifest.writing = WritingEntry{"llm", 7, "training", {{"llm:m", 2}}};
+  manifest.writing = WritingEntry{"llm", 7, "training", "gb", {{"llm:m", 2}}};
   EXPECT_EQ(checker.check(Json::parse(to_text(manifest)), "manifest.schema.json"), "");
 }
 
