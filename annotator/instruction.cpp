@@ -97,8 +97,9 @@ class TextChecker {
   }
 
   Result<Formula> goal_of(const std::string& text) const {
-    const auto read = readings(text);
+    auto read = readings(text);
     if (!read) return read.error();
+    *read = readings_in_home(std::move(*read), knowledge_, home_ == nullptr ? nullptr : &start());
     if (read->size() != 1 || read->front().strained)
       return Error{Error::Kind::Parse, "instruction", {1, 1}, "the text has several readings in this home, or none"};
     return read->front().goal;
