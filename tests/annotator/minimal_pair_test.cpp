@@ -6,12 +6,12 @@
 #include "annotator/instruction.h"
 #include "core/text.h"
 #include "small_knowledge.h"
+#include "tests/support/committed_knowledge.h"
 
 namespace unietp {
 namespace {
 
 using testing_support::asking;
-using testing_support::small_knowledge;
 
 Scene kitchen_with(std::initializer_list<const char*> kinds) {
   Scene home;
@@ -25,11 +25,11 @@ Scene kitchen_with(std::initializer_list<const char*> kinds) {
 }
 
 TEST(MinimalPair, DiffersInOneWordAndEachTextMeansItsGoalAlone) {
-  const Knowledge knowledge = small_knowledge();
+  const Knowledge& knowledge = committed_knowledge(Simulator::Ai2thor);
   const NounTable nouns(knowledge);
-  const Scene home = kitchen_with({"Mug", "Bowl", "Table", "Fridge", "Lamp"});
-  const auto task = asking("(exists (?m - Mug) (exists (?t - Table) (at-end (on ?m ?t))))");
-  const std::string text = "Put the mug on the table.";
+  const Scene home = kitchen_with({"Mug", "Bowl", "Plate", "DiningTable"});
+  const auto task = asking("(exists (?m - Mug) (exists (?t - DiningTable) (at-end (on ?m ?t))))");
+  const std::string text = "Put the mug on the dining table.";
   ASSERT_TRUE(check_instruction(text, task, knowledge, nouns, &home).empty());
   int found = 0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
@@ -51,7 +51,7 @@ TEST(MinimalPair, DiffersInOneWordAndEachTextMeansItsGoalAlone) {
 }
 
 TEST(MinimalPair, IsNoneWhereNoOtherWordSaysAnything) {
-  const Knowledge knowledge = small_knowledge();
+  const Knowledge& knowledge = committed_knowledge(Simulator::Ai2thor);
   const NounTable nouns(knowledge);
   const Scene home = kitchen_with({"Mug"});
   const auto task = asking("(exists (?m - Mug) (at-end (held ?m)))");
