@@ -94,8 +94,8 @@ class AnnotateCommand : public ::testing::Test {
     EXPECT_THAT(ended.out + ended.err, Not(HasSubstr(kKey)));
     for (const auto& [name, bytes] : bytes_below(folder_.path())) EXPECT_THAT(bytes, Not(HasSubstr(kKey))) << name;
   }
-  /// Answers to all requests in the batch folder that it has not answered, last one first, as the service gives them.
-  /// Answers all requests but `leave_out` of them, which are none with the body `kept`.
+  /// Answers to all requests in the batch folder that it has not answered, last one first, as the service gives them,
+  /// but for `leave_out` of them, of which none has the body `kept`.
   void serve_batch(WordingModel& model, const std::string& file, std::size_t leave_out,
                    const nlohmann::json& kept = {}) const {
     std::vector<std::pair<bool, std::string>> answers;
