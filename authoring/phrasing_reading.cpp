@@ -4,9 +4,11 @@
 #include <optional>
 
 #include "annotator/authored.h"
+#include "annotator/home_facts.h"
 #include "annotator/instruction.h"
 #include "core/text.h"
 #include "generator/style_fit.h"
+#include "scene/trace.h"
 
 namespace unietp {
 namespace {
@@ -57,11 +59,16 @@ std::vector<PhrasingReading> read_phrasings(const Template& source, const std::v
 }
 
 std::vector<StyleTexts> texts_by_style(const Template& source, const Specification& plain, const Backend& backend,
-                                       std::size_t count, Rng rng) {
+                                       const Scene& home, std::size_t count, Rng rng) {
   std::vector<Style> styles = styles_fitting(source);
   styles.push_back(plain.style);
   std::sort(styles.begin(), styles.end());
   styles.erase(std::unique(styles.begin(), styles.end()), styles.end());
+  const SceneOffer offer{categories_in(home), to_logic(home, {}, true)};
+  WritingOptions writing;
+  writing.phrasings_of_template = source.instructions;
+  writing.home = &home;
+  writing.around = offer.categories;
   std::vector<StyleTexts> all;
   for (const Style style : styles) {
     StyleTexts found{style, {}};
@@ -69,10 +76,8 @@ std::vector<StyleTexts> texts_by_style(const Template& source, const Specificati
       const Rng own = rng.fork(name_of(style), seed);
       const auto task = style == plain.style
                             ? std::optional(plain)
-                            : refine_linguistic(plain, backend.knowledge, {}, name_of(style), own.fork("goal", 0));
+                            : refine_linguistic(plain, backend.knowledge, offer, name_of(style), own.fork("goal", 0));
       if (!task) continue;
-      WritingOptions writing;
-      writing.phrasings_of_template = source.instructions;
       const auto text = write_instruction(*task, backend.knowledge, backend.nouns, writing, own);
       if (!text || text->style != style) continue;
       if (std::find(found.texts.begin(), found.texts.end(), text->text) == found.texts.end())

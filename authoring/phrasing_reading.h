@@ -27,10 +27,10 @@ struct StyleTexts {
   std::vector<std::string> texts;
 };
 
-/// Up to `count` different texts for each style that the goal fits, in the order of the enumeration, without those that
-/// it has no text in. `plain`: as its template gives it; the goal of another style may accept or describe more.
-/// Deterministic in rng.
+/// Up to `count` different texts for each style that the goal fits in a home, in the order of the enumeration, without
+/// those that it has no text in. `plain`: as its template gives it; the goal of another style may accept or describe
+/// more. `home`: at the start of such a task. Deterministic in rng.
 std::vector<StyleTexts> texts_by_style(const Template& source, const Specification& plain, const Backend& backend,
-                                       std::size_t count, Rng rng);
+                                       const Scene& home, std::size_t count, Rng rng);
 
 }  // namespace unietp

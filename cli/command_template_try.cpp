@@ -93,7 +93,8 @@ std::vector<StyleTexts> sample_texts(const Template& source, const TemplateTrial
   const Specification& task = trial.tasks.front().episode.specification;
   const Backend& backend = grade.resources.backend(task.simulator);
   const auto plain = instantiate(source, backend.knowledge, task.binding);
-  return plain ? texts_by_style(source, *plain, backend, kTexts, Rng(trial.tasks.front().seed))
+  return plain ? texts_by_style(source, *plain, backend, trial.tasks.front().episode.start, kTexts,
+                                Rng(trial.tasks.front().seed))
                : std::vector<StyleTexts>();
 }
 
