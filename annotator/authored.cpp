@@ -52,6 +52,7 @@ class Author {
     for (const Slot& slot : reading.slots) {
       filled += phrasing.substr(at, slot.offset - at);
       at = slot.offset + slot.length;
+      naming_.begin_clause();
       const Text said = words_for(slot);
       if (!said || phrases_.error()) return std::nullopt;
       filled += *said;

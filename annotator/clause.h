@@ -113,6 +113,7 @@ struct Requirement {
     UntilThen,  // Until, and both clause 1 and clause 2 at the end: "keep B closed until A is on C, then open it"
     OnlyThen,   // clause 0 before any of what clause 1 says, and both at the end: "…, and only then all the mugs"
     Fact,       // clause 0 is so at the start; asks nothing
+    Contrast,   // the same of what is not meant: "…, not the blue one"
     Stated,     // `stated`, which speaks of the subjects of clause 0 and of what it binds itself
   };
   Kind kind = Kind::Final;

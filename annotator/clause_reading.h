@@ -35,6 +35,8 @@ class ClauseReader {
   Clause comparison();
   Clause reached();
   Clause moved();
+  Clause moved_to();
+  bool goes_to(Clause& clause);
   void placed(Clause& clause);
   Clause taken();
   bool is_room(const Domain& noun) const;

@@ -108,6 +108,7 @@ std::optional<std::string> ClauseWriter::keeping(const Clause& clause) {
   if (clause.subjects[0].determiner == Determiner::No || clause.subjects[0].determiner == Determiner::Agent)
     return std::nullopt;
   if (clause.subjects[0].determiner == Determiner::Any) return std::nullopt;
+  naming_.begin_clause();
   const auto subjects = subjects_of(clause);
   if (!subjects) return std::nullopt;
   const Text said = naming_.complement(clause.complements[0], place_of(clause));
@@ -139,6 +140,7 @@ std::optional<std::string> ClauseWriter::denial(const Clause& clause, const std:
 }
 
 std::optional<std::string> ClauseWriter::statement(const Clause& clause, const std::string& be) {
+  naming_.begin_clause();
   if (clause.kind == Clause::Kind::And || clause.kind == Clause::Kind::Or) {
     return joined_parts(clause, &be);
   }
@@ -187,7 +189,9 @@ std::optional<std::string> ClauseWriter::given(const Clause& part) {
     for (const Complement& modifier : there.modifiers) {
       const Text said = naming_.complement(modifier, {});
       if (!said) return std::nullopt;
-      states.push_back(*said);
+      // "If the stove is on, …"
+      const bool on = naming_.everyday() && there.modifiers.size() == 1 && said->starts_with("switched ");
+      states.push_back(on ? said->substr(said->find(' ') + 1) : *said);
     }
     text += (text.empty() ? " if " : " and ") + subject->text + " is " + listed(states, "and");
   }
@@ -211,6 +215,7 @@ std::optional<std::string> ClauseWriter::comparison(const Clause& clause, const 
 
 /// An imperative, without frame.
 std::optional<std::string> ClauseWriter::command(const Clause& clause) {
+  naming_.begin_clause();
   Text text = worded(clause);
   if (text) naming_.set_topic(clause.subjects.size() == 1 ? clause.subjects[0].variable : "");
   return text;
@@ -227,6 +232,10 @@ std::optional<std::string> ClauseWriter::worded(const Clause& clause) {
       auto patterns = naming_.everyday() ? everyday_verbs(clause.complements[0]) : verbs(clause.complements[0]);
       if (naming_.everyday() && !said_not(clause) && naming_.comes_from_a_shaker(clause.complements[0].symbol))
         patterns = {"sprinkle {m} on {s}"};
+      // One moves an apple to a shelf, and puts it on a plate.
+      const auto& places = clause.complements[0].object;
+      if (naming_.everyday() && !places.empty() && naming_.is_carried(places[0].noun))
+        std::erase_if(patterns, [](const std::string& pattern) { return pattern == "move {s} to {o}"; });
       const bool clean_subject = clause.subjects[0].determiner != Determiner::No &&
                                  clause.subjects[0].determiner != Determiner::AtMost &&
                                  clause.subjects[0].determiner != Determiner::Agent;
@@ -283,30 +292,37 @@ std::optional<std::string> ClauseWriter::special_command(const Clause& clause, b
 }
 
 /// "put the mug that is on a desk in a box" could be read as a desk in a box, "put something to toast on a table" as
-/// toasting there: "take … and put it in a box" cannot.
+/// toasting there: "take … and put it in a box" cannot, nor "move the mug from the desk to the shelf".
 std::optional<std::string> ClauseWriter::taken_first(const Clause& clause) {
   NounPhrase thing = clause.subjects[0];
-  std::string from;
+  const Complement& goes = clause.complements[0];
+  std::string off;
+  Text there;
   if (naming_.everyday() && !thing.modifiers.empty()) {
     const Complement place = thing.modifiers.back();
-    from = taken_from(place);
-    if (!from.empty()) {
+    off = taken_from(place);
+    if (!off.empty()) {
       thing.modifiers.pop_back();
       const bool room = place.predicate == Predicate::InRoom;
-      const auto there = naming_.phrase(place.object[0], {.inside_description = true, .unique = room});
-      if (!there) return std::nullopt;
-      from += there->text;
+      const auto here = naming_.phrase(place.object[0], {.inside_description = true, .unique = room});
+      if (!here) return std::nullopt;
+      there = here->text;
     }
   }
-  auto subject = naming_.phrase(thing, {.unique = !from.empty()});
+  const auto subject = naming_.phrase(thing, {.unique = there.has_value()});
   if (!subject || (subject->plural && !naming_.everyday())) return std::nullopt;
-  subject->text += from;
   Place place = place_of(clause);
   place.bare_room = naming_.everyday();
-  const Text where = naming_.complement(clause.complements[0], place);
+  if (there && (goes.predicate == Predicate::On || goes.predicate == Predicate::Inside) && rng_.chance(0.5)) {
+    const auto to = naming_.phrase(goes.object[0], place);
+    if (!to || to->text == "it") return std::nullopt;
+    return "move " + subject->text + " from " + *there + " to " + to->text;
+  }
+  const Text where = naming_.complement(goes, place);
   const std::string put = naming_.everyday() ? " and put " : pick({" and put ", " and place "});
   const bool sought = naming_.everyday() && naming_.names_by_use(thing.noun);
-  return where ? Text((sought ? "get " : "take ") + subject->text + put + (subject->plural ? "them " : "it ") + *where)
+  return where ? Text((sought ? "get " : "take ") + subject->text + (there ? off + *there : "") + put +
+                      (subject->plural ? "them " : "it ") + *where)
                : std::nullopt;
 }
 
@@ -335,7 +351,7 @@ std::optional<std::string> ClauseWriter::filled(const std::string& pattern, cons
     Place place = place_of(clause);
     place.bare_room = naming_.everyday() && text.ends_with(" {o}");
     const auto object = naming_.phrase(clause.complements[0].object[0], place);
-    if (!object) return std::nullopt;
+    if (!object || (object->text == "it" && text.ends_with(" to {o}"))) return std::nullopt;
     const bool plain = naming_.everyday() && clause.complements[0].object[0].modifiers.empty();
     if (plain || object->text == "it") text = replace_all(text, "the floor of {o}", floor_of(object->text, false));
     text = replace_all(text, "{o}", object->text);

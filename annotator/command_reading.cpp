@@ -40,6 +40,7 @@ Clause ClauseReader::command() {
   const bool repeated = moving_ && words_.phrase_comes();  // "put a mug on a table and a bowl in a box"
   moving_ = repeated || words_.accept_one({"put", "place", "set"}) >= 0;
   if (moving_) return moved();
+  if (words_.accept_one({"move", "transfer", "carry"}) >= 0) return moved_to();
   if (words_.accept_one({"remove", "take", "get", "bring"}) >= 0) return taken();
   if (words_.accept("fill")) return with_symbol(P::Filled);
   if (words_.accept("cover")) return with_symbol(P::Covered);
@@ -78,12 +79,46 @@ Clause ClauseReader::reached() {
 
 Clause ClauseReader::moved() {
   Clause clause;
+  words_.set_results(true);
   clause.subjects = words_.phrases(clause.any_subject);
+  words_.set_results(false);
   if (!words_.comes("either") && !words_.complement_comes()) words_.fail("expected a place, such as 'on a table'");
   placed(clause);
   for (const Complement& complement : clause.complements)
     if (complement.object.empty() || complement.negated) words_.fail("expected a place before this");
   return clause;
+}
+
+/// "move a mug from the desk to the shelf": on or in these, whichever is possible.
+Clause ClauseReader::moved_to() {
+  Clause clause;
+  words_.set_results(true);
+  clause.subjects = words_.phrases(clause.any_subject);
+  words_.set_results(false);
+  if (words_.accept("from")) {
+    Complement from{words_.choose(2) == 0 ? P::On : P::Inside, false, "", {words_.phrase()}};
+    if (is_room(from.object[0].noun)) from.predicate = P::InRoom;
+    if (clause.subjects.size() > 1) words_.fail("expected one object before 'from'");
+    clause.subjects[0].modifiers.push_back(std::move(from));
+  }
+  if (!goes_to(clause)) words_.fail("expected 'to'");
+  return clause;
+}
+
+/// "to the kitchen", "to the shelf", "onto the table"
+bool ClauseReader::goes_to(Clause& clause) {
+  const int where = words_.accept_one({"onto", "into", "to"});
+  if (where < 0) return false;
+  words_.set_bare_rooms(true);
+  Complement place{where == 0 ? P::On : P::Inside, false, "", {words_.place()}};
+  words_.set_bare_rooms(false);
+  if (is_room(place.object[0].noun)) {
+    place.predicate = P::InRoom;
+  } else if (where == 2 && words_.choose(2) == 0) {
+    place.predicate = P::On;
+  }
+  clause.complements.push_back(std::move(place));
+  return true;
 }
 
 /// "on the table in the kitchen": where something is put.
@@ -103,12 +138,7 @@ Clause ClauseReader::taken() {
     return clause;
   }
   if (taken_from(clause)) return clause;
-  const int room = words_.accept_one({"to", "into"});
-  if (room >= 0) {
-    clause.complements.push_back({P::InRoom, false, "", {words_.phrase()}});
-    if (!is_room(clause.complements[0].object[0].noun)) words_.fail("expected a room before this");
-    return clause;
-  }
+  if (goes_to(clause)) return clause;
   const bool inside = words_.accept("out of");
   if (!inside && words_.accept_one({"off", "from"}) < 0) words_.fail("expected 'to', 'off' or 'out of'");
   clause.removal = true;

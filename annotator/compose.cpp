@@ -95,7 +95,7 @@ class Composer {
       return std::find(mentioned_.begin(), mentioned_.end(), variable.first) != mentioned_.end() &&
              !mentions(all, variable.first);
     });
-    return Reading{boxed(text, std::move(all)), std::move(facts_)};
+    return Reading{boxed(text, std::move(all)), std::move(facts_), references_.is_strained()};
   }
 
  private:
@@ -105,6 +105,12 @@ class Composer {
       return;
     }
     if (requirement.kind == Requirement::Kind::Fact) return add_fact(requirement.clauses[0], text);
+    if (requirement.kind == Requirement::Kind::Contrast) {  // nobody goes on to speak of it
+      const std::size_t named = references_.named_count(), mentions = references_.mention_count();
+      add_fact(requirement.clauses[0], text);
+      references_.forget_mentions(mentions);
+      return references_.leave(named);
+    }
     if (requirement.kind == Requirement::Kind::Stated) {
       parts.push_back(compose_proposition(requirement.stated[0], references_));
       return;
@@ -145,6 +151,7 @@ class Composer {
         parts.push_back(at_end(said[1]));
         break;
       case Requirement::Kind::Fact:
+      case Requirement::Kind::Contrast:
       case Requirement::Kind::Stated:
         break;
       case Requirement::Kind::Again:
@@ -186,6 +193,7 @@ class Composer {
   /// "There is a dirty mug on the desk.": it can be spoken of from now on. "There is more than one mug here.": none
   /// can. "The lamp in the bedroom is on.": there is one such lamp.
   void add_fact(const Clause& clause, Box& text) {
+    references_.begin_clause();
     NounPhrase phrase = clause.subjects[0];
     const bool the = phrase.determiner == Determiner::The;
     if (!the) phrase.modifiers.insert(phrase.modifiers.end(), clause.complements.begin(), clause.complements.end());
@@ -214,6 +222,9 @@ class Composer {
         so.push_back(said_of(clause.complements[k], slot.term, objects[k].phrase ? &objects[k] : nullptr));
     }
     facts_.push_back(exists(slot.term.name, slot.domain, conjunction(std::move(so))));
+    const bool beside = std::any_of(phrase.modifiers.begin(), phrase.modifiers.end(),
+                                    [](const Complement& said) { return said.predicate == Predicate::NextTo; });
+    beside ? references_.mention_several() : references_.mention_again(slot);
   }
 
   /// "Put every mug but the red one on the table.": the red one is never there.
@@ -229,18 +240,23 @@ class Composer {
     return f.op == Op::Not && f.children[0].op == Op::Not ? f.children[0].children[0] : f;
   }
 
-  /// "if a fridge is open, close a cabinet": what is named in it is named for this sentence only.
+  /// "if a fridge is open, close a cabinet": what is named in it is named for this sentence only. "If the fridge is
+  /// open, close it.": the one that is open.
   Formula conditional(const Clause& clause) {
     const std::size_t before = references_.named_count();
     Box condition, own;
     for (const NounPhrase& there : clause.given) references_.given(there, condition);
+    if (!any_phrase(clause, [](const NounPhrase& phrase) { return phrase.determiner == Determiner::It; }))
+      references_.leave(before);
+    Formula then = at_end(boxed(own, state(clause, own)));
+    const auto about = [&](const auto& variable) { return mentions(then, variable.first); };
+    if (std::any_of(condition.variables.begin(), condition.variables.end(), about)) then = boxed(condition, then);
     references_.leave(before);
-    Formula then = state(clause, own);
-    references_.leave(before);
-    return any_of_parts({negation(boxed(condition, conjunction({}))), at_end(boxed(own, std::move(then)))});
+    return any_of_parts({negation(boxed(condition, conjunction({}))), std::move(then)});
   }
 
   Formula state(const Clause& clause, Box& box) {
+    references_.begin_clause();
     switch (clause.kind) {
       case Clause::Kind::And: {
         std::vector<Formula> parts;
@@ -352,6 +368,7 @@ class Composer {
         parts.push_back(exists(one, subjects[i].domain, said_of(clause.complements[k], variable(one), &objects[k])));
       }
     }
+    if (clause.put_down && !subjects[0].local) references_.mention_several();  // "…, put it down, and close it"
     return clause.any_subject ? any_of_parts(std::move(parts)) : conjunction(std::move(parts));
   }
 
@@ -366,7 +383,10 @@ class Composer {
     const Resolved object = references_.resolve(phrase, box);
     if (subject.local || object.local || clause.any_subject)
       references_.fail(phrase.column, "which ones are meant is not clear");
-    return said_of(done, subject.term, &object);
+    std::vector<Formula> all{said_of(done, subject.term, &object)};
+    for (const Complement& inner : phrase.done) all.push_back(brought_about(inner, object, clause, box));
+    references_.mention_again(subject);
+    return conjunction(std::move(all));
   }
 
   References references_;

@@ -41,15 +41,20 @@ std::optional<std::string> word_of(const Node& node, const Formula& test, const 
   return word.empty() || word.find(' ') != std::string::npos ? std::nullopt : std::optional(word);
 }
 
+/// The word that describes the thing itself.
+std::string own_word(const Formula& test) {
+  if (test.predicate != Predicate::Colour && test.predicate != Predicate::Material) return state_word(test.predicate);
+  return test.predicate == Predicate::Material && test.terms[1].name == "wood" ? "wooden" : test.terms[1].name;
+}
+
 }  // namespace
 
-std::string contrast_of(const Formula& goal, const Scene& home, const NounTable& lexicon, Rng& rng) {
+std::optional<std::string> contrasted(const std::string& text, const Formula& goal, const Scene& home,
+                                      const NounTable& lexicon, Rng& rng) {
   const Domain* thing = described_thing(goal);
-  if (thing == nullptr) return "";
+  if (thing == nullptr) return std::nullopt;
   const Formula& test = thing->where.front();
-  const std::string own = test.predicate == Predicate::Colour || test.predicate == Predicate::Material
-                              ? test.terms[1].name == "wood" ? "wooden" : test.terms[1].name
-                              : "";
+  const std::string own = own_word(test);
   std::vector<std::string> words;
   for (const Node& node : home.nodes) {
     if (node.category != thing->members[0].category) continue;
@@ -57,7 +62,19 @@ std::string contrast_of(const Formula& goal, const Scene& home, const NounTable&
     if (word && *word != own) words.push_back(*word);
   }
   sort_unique(words);
-  return words.empty() ? "" : ", not the " + rng.pick(words) + " one";
+  if (words.empty()) return std::nullopt;
+  const std::vector<Token> tokens = tokens_of(text);
+  for (std::size_t i = 0; i + 2 < tokens.size(); ++i) {
+    if (tokens[i].text != "the" || tokens[i + 1].text != own) continue;
+    const std::size_t length = lexicon.noun_at(tokens, i + 2).length;
+    if (length == 0 || i + 2 + length >= tokens.size()) continue;
+    const Token& last = tokens[i + 1 + length];
+    const auto end = static_cast<std::size_t>(last.column) - 1 + last.text.size();
+    const bool goes_on = tokens[i + 2 + length].text != "." && tokens[i + 2 + length].text != "?";
+    const std::string other = ", not the " + rng.pick(words) + " one";
+    return text.substr(0, end) + other + (goes_on && text[end] != ',' ? "," : "") + text.substr(end);
+  }
+  return std::nullopt;
 }
 
 }  // namespace unietp

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "annotator/noun_table.h"
@@ -9,9 +10,11 @@
 
 namespace unietp {
 
-/// ", not the blue one": what follows a command about the one red mug of a goal in a home that also has a blue one. ""
-/// when no one word tells another such thing from the one that is meant, or the goal describes none or several by a
-/// colour, a material or a state. `home`: at its start. Deterministic in rng.
-std::string contrast_of(const Formula& goal, const Scene& home, const NounTable& lexicon, Rng& rng);
+/// The text with "the red mug, not the blue one" in place of the first "the red mug" of a goal in a home that also has
+/// a blue one. nullopt when no one word tells another such thing from the one that is meant, when the goal describes
+/// none or several by a colour, a material or a state, and when the text does not call it so. `home`: at its start.
+/// Deterministic in rng.
+std::optional<std::string> contrasted(const std::string& text, const Formula& goal, const Scene& home,
+                                      const NounTable& lexicon, Rng& rng);
 
 }  // namespace unietp

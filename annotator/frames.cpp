@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 12> kLaterFrames{
     "I'd like you to ", "also, ",     "also, please ",     "kindly ",  "you should "};
 
 // Of 21,025 goals that people wrote for ALFRED, under one in a hundred has a courtesy.
-constexpr double kPlease = 0.04, kQuestion = 0.025;
+constexpr double kPlease = 0.015, kQuestion = 0.01;
 
 /// "could you do not" is wrong.
 bool forbids(const std::string& command) {

@@ -49,7 +49,7 @@ Text taken_away(const Clause& clause, Naming& naming, Rng& rng) {
   const Complement& place = clause.complements[0];
   if (naming.keeps_no()) {
     const auto any = naming.plural(clause.subjects[0]);
-    const Text where = any ? naming.complement(place, {.beside_none = true}) : std::nullopt;
+    const Text where = any ? naming.complement(place, {.beside_every = true, .beside_none = true}) : std::nullopt;
     return where && !clause.put_down ? Text("don't leave any " + *any + " " + *where) : std::nullopt;
   }
   const auto all = naming.phrase(as(clause.subjects[0], Determiner::Every), {.together = true});
@@ -62,6 +62,7 @@ Text taken_away(const Clause& clause, Naming& naming, Rng& rng) {
   if (!where) return std::nullopt;
   const std::string them = all->plural ? "them" : "it";
   const std::string down = rng.chance(0.5) ? " down" : " somewhere else";
+  if (clause.put_down && !all->plural) naming.mention_again("");  // "…, put it down, and close the fridge again"
   return "take " + all->text + " " + *where + (clause.put_down ? " and put " + them + down : "");
 }
 

@@ -20,15 +20,17 @@
 #include "annotator/realise.h"
 #include "annotator/style.h"
 #include "annotator/word_check.h"
+#include "core/text.h"
 #include "scene/trace.h"
 
 namespace unietp {
 namespace {
 
 constexpr int kDraws = 120;                  // forms tried before the grammar gives up on a style
+constexpr int kPronounDraws = 8;             // of these, draws with "it" wherever it is clear
 constexpr int kPlainDraws = 30;              // of these, draws without an opening "Choose a …"
 constexpr int kFreeDraws = 90;               // of these, draws that are not operator by operator
-constexpr double kAuthoredShare = 0.5;       // of the texts for which the template's own phrasings come first
+constexpr double kAuthoredShare = 0.75;      // of the texts for which the template's own phrasings come first
 constexpr std::uint64_t kAuthoredDraws = 2;  // ways to name the things of each
 
 bool ranges_over(const Formula& formula, const Domain& noun) {
@@ -72,7 +74,7 @@ class TextChecker {
 
   bool reads_back(const std::string& text) const {
     const auto read = readings(text);
-    return read && !read->empty() && all_meant(*read) && form_faults(text, specification_).empty();
+    return read && !all_strained(*read) && all_meant(*read) && form_faults(text, specification_).empty();
   }
 
   std::vector<std::string> faults(const std::string& text) const {
@@ -88,8 +90,19 @@ class TextChecker {
     } else if (!is_meant(read->front().goal)) {
       found.push_back("the text asks for " + to_text(normal_form(read->front().goal)) + ", the goal is " +
                       to_text(normal_form(specification_.goal)));
+    } else if (all_strained(*read)) {
+      found.emplace_back(kStrainedPronoun);
     }
     return found;
+  }
+
+  Result<Formula> goal_of(const std::string& text) const {
+    auto read = readings(text);
+    if (!read) return read.error();
+    *read = readings_in_home(std::move(*read), knowledge_, home_ == nullptr ? nullptr : &start());
+    if (read->size() != 1 || read->front().strained)
+      return Error{Error::Kind::Parse, "instruction", {1, 1}, "the text has several readings in this home, or none"};
+    return read->front().goal;
   }
 
  private:
@@ -105,6 +118,10 @@ class TextChecker {
     if (specification_.style == Style::Condition) all = without_conditions(all, specification_.init);
     return same_expanded(all, goal_) ||
            (counts_.is_known() && same_expanded(expanded(as_in_home(all, counts_)), goal_here_));
+  }
+  /// Also where there is none.
+  static bool all_strained(const std::vector<Reading>& read) {
+    return std::all_of(read.begin(), read.end(), [](const Reading& one) { return one.strained; });
   }
   /// Readings that are the same in this home are one.
   bool all_meant(const std::vector<Reading>& read) const {
@@ -157,9 +174,9 @@ std::optional<std::string> request_for(const Formula& goal, const NounTable& lex
 
 /// A wording of the plan from the set of phrasings asked for; about half of all wordings are.
 std::optional<std::string> worded(const Plan& plan, const NounTable& lexicon, Style style, Phrasings set,
-                                  const TextChecker& judge, const Rng& rng) {
+                                  const TextChecker& judge, double pronouns, const Rng& rng) {
   constexpr std::uint64_t kWordings = 4;
-  const Wording wording{style, set == Phrasings::Everyday, judge.alone(), judge.there()};
+  const Wording wording{style, set == Phrasings::Everyday, judge.alone(), judge.there(), pronouns};
   for (std::uint64_t i = 0; i < kWordings; ++i) {
     auto text = realise(plan, lexicon, wording, rng.fork("words", i));
     if (!text || set == Phrasings::Everyday || set == Phrasings::All || phrasings_of(*text, lexicon) == set)
@@ -200,7 +217,7 @@ class Writer {
       if (!text) {
         auto plan =
             plan_message(exactly ? specification_.goal : judge_.plain_goal(), specification_.init,
-                         {draw >= kPlainDraws, style == Style::Condition, is_everyday(), exactly, judge_.counts()},
+                         {chooses(draw, style), style == Style::Condition, is_everyday(), exactly, judge_.counts()},
                          own.fork("plan", 0));
         if (!plan && (exactly || style != Style::Direct)) return std::nullopt;
         if (!plan) {
@@ -208,11 +225,12 @@ class Writer {
           continue;
         }
         if (!turn_to_style(*plan, style)) continue;
-        text = worded(*plan, nouns_, style, options_.phrasings, judge_, own);
+        // Where "it" could be two things, both are named.
+        text = worded(*plan, nouns_, style, options_.phrasings, judge_, draw < kPronounDraws ? 1 : 0.5, own);
         if (!text) continue;
       }
       if (!framed(*text, style, own)) return std::nullopt;
-      if (style == Style::Ellipsis && !contrasted(*text, own)) continue;
+      if (style == Style::Ellipsis && !with_contrast(*text, own)) continue;
       if (auto written = accepted(*text, style)) return written;
       last_ = std::move(*text);
     }
@@ -230,22 +248,22 @@ class Writer {
   }
 
  private:
+  /// Nobody chooses who has just said what is there.
+  bool chooses(int draw, Style style) const { return draw >= kPlainDraws && style != Style::Anaphora; }
   bool is_everyday() const { return options_.phrasings == Phrasings::Everyday; }
   bool framed(std::string& text, Style style, Rng& rng) const {
     return add_style_frame(text, specification_, style, judge_, knowledge_, nouns_, rng);
   }
 
-  /// "…, not the blue one.", behind a command that does not go on about "it".
-  bool contrasted(std::string& text, Rng& rng) const {
-    if (options_.home == nullptr || text.empty() || says(tokens_of(text), "it") || says(tokens_of(text), "and") ||
-        text.starts_with("Choose"))
-      return false;
-    const std::string contrast = contrast_of(judge_.goal(), *options_.home, nouns_, rng);
-    text.insert(text.size() - 1, contrast);
-    return !contrast.empty();
+  /// "the red mug, not the blue one"
+  bool with_contrast(std::string& text, Rng& rng) const {
+    auto told = options_.home == nullptr ? std::nullopt : contrasted(text, judge_.goal(), *options_.home, nouns_, rng);
+    if (told) text = std::move(*told);
+    return told.has_value();
   }
 
-  std::optional<Instruction> accepted(const std::string& text, Style style) const {
+  std::optional<Instruction> accepted(const std::string& written, Style style) const {
+    const std::string text = nouns_.english() == English::Us ? replace_all(written, " grey ", " gray ") : written;
     if (!judge_.reads_back(text) || !style_fault(text, style, specification_.goal, options_.around, nouns_).empty())
       return std::nullopt;
     return Instruction{text,  "grammar",
@@ -266,7 +284,7 @@ class Writer {
         auto text = authored_text(phrasings[i], specification_, nouns_, {style, true, judge_.alone(), judge_.there()},
                                   judge_.counts(), own);
         if (!text || !framed(*text, style, own)) break;
-        if (style == Style::Ellipsis && !contrasted(*text, own)) break;
+        if (style == Style::Ellipsis && !with_contrast(*text, own)) break;
         auto written = accepted(*text, style);
         if (!written) continue;
         written->phrasing = static_cast<int>(i) + 1;
@@ -303,6 +321,11 @@ Result<Instruction> write_instruction(const Specification& specification, const 
 
 Result<Formula> parse_instruction(std::string_view text, const Knowledge& knowledge) {
   return parse_with(text, NounTable(knowledge));
+}
+
+Result<Formula> goal_of_text(const std::string& text, const Specification& specification, const Knowledge& knowledge,
+                             const NounTable& nouns, const Scene& home) {
+  return TextChecker(specification, knowledge, nouns, &home).goal_of(text);
 }
 
 std::vector<std::string> check_instruction(const std::string& text, const Specification& specification,

@@ -54,6 +54,10 @@ Result<Formula> parse_instruction(std::string_view text, const Knowledge& knowle
 std::vector<std::string> check_instruction(const std::string& text, const Specification& specification,
                                            const Knowledge& knowledge, const NounTable& nouns,
                                            const Scene* home = nullptr);
+/// The one goal that a text means in the home. Errors: Parse for what is no text of the grammar's English, that can be
+/// read in several ways there or in none, and whose "it" is not what was named last.
+Result<Formula> goal_of_text(const std::string& text, const Specification& specification, const Knowledge& knowledge,
+                             const NounTable& nouns, const Scene& home);
 /// The same with a table of nouns made for this text.
 std::vector<std::string> check_instruction(const std::string& text, const Specification& specification,
                                            const Knowledge& knowledge);

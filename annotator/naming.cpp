@@ -22,6 +22,12 @@ bool Naming::was_named(const std::string& variable) const {
   return std::any_of(named_.begin(), named_.end(), [&](const Named& n) { return n.variable == variable; });
 }
 
+/// Whether its name is to say what is to be done with it, which only the first can.
+bool Naming::is_made(const NounPhrase& said) {
+  return std::any_of(said.done.begin(), said.done.end(),
+                     [](const Complement& done) { return done.predicate != Predicate::SliceOf; });
+}
+
 bool Naming::was_named_kind(const Domain& noun) const {
   return std::any_of(named_.begin(), named_.end(), [&](const Named& other) { return other.noun == noun; });
 }
@@ -187,9 +193,11 @@ std::optional<Words> Naming::phrase(const NounPhrase& said, Place place) {
   if (said.determiner == Determiner::Agent) return Words{"you", true};
   const auto bare = noun(said.noun, place.exact);
   if (!bare) return std::nullopt;
-  if (!said.variable.empty() && was_named(said.variable)) return again(said, *bare, place);
+  if (!said.variable.empty() && was_named(said.variable))
+    return is_made(said) ? std::nullopt : again(said, *bare, place);
   if (!said.variable.empty() && (place.inside_description || place.beside_none)) {
     if (!everyday() || !is_alone(said.noun) || !said.modifiers.empty()) return std::nullopt;
+    mentioned_.push_back(said.variable);
     return Words{"the " + bare->singular};
   }
   if (said.except) return all_but(said, *bare);
@@ -232,6 +240,13 @@ std::optional<Words> Naming::bound(const NounPhrase& said, const Noun& noun, con
   return counted(said, noun, {}, description);
 }
 
+/// What was named last, and, of what is put somewhere, what was spoken of: "put the mug in the box and put it …" could
+/// be either.
+bool Naming::is_what_it_means(const NounPhrase& said, Place place) const {
+  if (place.exact || place.inside_description || clause_ == 0 || mentioned_[clause_ - 1] != said.variable) return false;
+  return !place.moved || topic_ == said.variable || named_.size() == 1;
+}
+
 std::optional<Words> Naming::again(const NounPhrase& said, const Noun& noun, Place place) {
   std::vector<std::size_t> alike;
   std::size_t position = 0;
@@ -241,14 +256,10 @@ std::optional<Words> Naming::again(const NounPhrase& said, const Noun& noun, Pla
     if (other.variable == said.variable) position = alike.size(), use = other.use;
     if (other.noun == said.noun) alike.push_back(alike.size());
   }
-  // The reader takes "it" where only one thing can be meant; people say it of what was spoken of last.
-  const bool close = std::find(mentioned_.rbegin(), mentioned_.rend(), said.variable) - mentioned_.rbegin() < 2;
+  const bool clear = is_what_it_means(said, place);
   mentioned_.push_back(said.variable);
-  const bool clear = close && (!place.moved || topic_ == said.variable);
-  if (!place.exact && everyday() && clear && named_.size() > 1 && !place.inside_description && rng_.chance(0.97))
-    return is_plural(noun) ? Words{"them", true} : Words{"it"};
-  if (!place.exact && named_.size() == 1 && (everyday() || style_ == Style::Anaphora || rng_.chance(0.7)))
-    return is_plural(noun) ? Words{"them", true} : Words{"it"};
+  const double usual = everyday() ? wording_.pronouns : named_.size() > 1 ? 0 : style_ == Style::Anaphora ? 1 : 0.7;
+  if (clear && rng_.chance(usual)) return is_plural(noun) ? Words{"them", true} : Words{"it"};
   // "That object" is clear only where no other was named: "that thing to drink from".
   const std::string word = !vague ? noun.singular : named_.size() == 1 ? "object" : named_again(use);
   if (word.empty()) return std::nullopt;
@@ -300,7 +311,7 @@ std::optional<Words> Naming::first(const NounPhrase& said, const Noun& noun, Pla
     return Words{(marked ? "the " : "some ") + before + noun.singular + tail};
   }
   // What is described is meant alone: "the mug nearest to the sink", not one of several.
-  const bool described = (!said.modifiers.empty() || !said.done.empty()) && !place.wanted;
+  const bool described = !said.modifiers.empty() && !place.wanted;
   if (described && !place.inside_description && rng_.chance(0.97)) return Words{"the " + before + noun.singular + tail};
   if (place.beside_every)
     return Words{pick({"one", "a single", "one and the same"}) + " " + before + noun.singular + tail};
@@ -322,11 +333,15 @@ std::optional<Words> Naming::counted(const NounPhrase& said, const Noun& noun, P
   const std::string number = number_word(said.number);
   std::string text;
   plural = said.number != 1;
-  if (everyday() && said.there == 1 && (said.determiner == Determiner::Every || said.determiner == Determiner::Any))
+  const bool the = everyday() && said.there == 1;
+  if (the && (said.determiner == Determiner::Every || said.determiner == Determiner::Any)) {
+    mentioned_.emplace_back();
     return Words{"the " + before + noun.singular + description.tail(is_plural(noun)), is_plural(noun)};
+  }
   switch (said.determiner) {
     case Determiner::Any:
       plural = false;
+      mentioned_.emplace_back();
       if (everyday() && is_alone(said.noun) && said.modifiers.empty()) return Words{"the " + noun.singular};
       if (!noun.countable) return std::nullopt;
       if (everyday() && place.beside_every && said.modifiers.empty()) return Words{"the " + many, true};

@@ -22,9 +22,10 @@ struct Words {
 /// How a plan is worded.
 struct Wording {
   Style style = Style::Direct;
-  bool everyday = true;                // as people ask for things; false: a wide choice of frames and statements
-  std::span<const std::string> alone;  // categories and room types of which the home has one, sorted: "the sink"
-  std::span<const std::string> there;  // those of which it has any, sorted; empty where the home is not known
+  bool everyday = true;                     // as people ask for things; false: a wide choice of frames and statements
+  std::span<const std::string> alone = {};  // categories and room types of which the home has one, sorted: "the sink"
+  std::span<const std::string> there = {};  // those of which it has any, sorted; empty where the home is not known
+  double pronouns = 1;                      // share of things that are "it" where that is clear
 };
 
 /// The context of a noun phrase that limits its determiner.
@@ -57,6 +58,10 @@ class Naming {
   bool distracts() const { return style_ == Style::Distractor; }
   /// What the command so far was about: the "it" of "…, and put it in the sink".
   void set_topic(const std::string& variable) { topic_ = variable; }
+  /// A command or statement begins: its "it" is what was named last before it.
+  void begin_clause() { clause_ = mentioned_.size(); }
+  /// What the sentence so far was about, though it went on to name something else: "" where "it" would not be clear.
+  void mention_again(const std::string& variable) { mentioned_.push_back(variable); }
   /// Whether such a thing was named.
   bool was_named_kind(const Domain& noun) const;
   /// Whether the text is one command, so that no "it" follows.
@@ -69,6 +74,8 @@ class Naming {
   bool is_countable(const Domain& noun) const;
   /// Whether the home has one such object, so that "the fridge" means it.
   bool is_alone(const Domain& noun) const;
+  /// Whether people carry it about.
+  bool is_carried(const Domain& noun) const;
   /// "clean", "on that table", "filled with water".
   std::optional<std::string> complement(const Complement& complement, Place place);
   bool was_named(const std::string& variable) const;
@@ -95,7 +102,7 @@ class Naming {
     bool vague = false;  // "that object" may mean it
     std::string use;     // "something to drink from", or ""
   };
-  bool is_carried(const Domain& noun) const;
+  static bool is_made(const NounPhrase& said);
   static bool is_plural(const Noun& noun);  // "the crackers", of which there is no one
   std::vector<std::string> nameless(const Domain& noun, AliasKind use) const;
   std::vector<std::string> uses(const Domain& noun) const;
@@ -103,6 +110,7 @@ class Naming {
   bool may_mean_what_is_there(const std::string& name) const;
   std::optional<std::string> name_of(const Domain::Member& member, bool plural, bool& countable);
   std::optional<Words> again(const NounPhrase& phrase, const Noun& noun, Place place);
+  bool is_what_it_means(const NounPhrase& phrase, Place place) const;
   /// What stands around a noun: "dirty", "that is on a desk", "nearest to the sink".
   struct Description {
     std::string before;    // an adjective with a blank, or ""
@@ -114,6 +122,7 @@ class Naming {
     }
   };
   std::optional<Description> describe(const NounPhrase& phrase, Place place);
+  std::optional<Description> with_results(const NounPhrase& phrase, Description description);
   /// "some dirty mug", "every mug": what a proposition goes on to speak of.
   std::optional<Words> bound(const NounPhrase& phrase, const Noun& noun, const Description& description);
   std::string adjective(const Complement& modifier, bool two);
@@ -133,7 +142,8 @@ class Naming {
   bool is_one_again(const NounPhrase& phrase) const;
   int mentions_of(const Domain& noun) const;
   std::vector<Named> named_;
-  std::vector<std::string> mentioned_;  // variables, the latest last
+  std::vector<std::string> mentioned_;  // variables, the latest last; "": what "it" cannot mean
+  std::size_t clause_ = 0;              // mentions before the present clause
   std::string topic_;                   // a variable, or ""
   std::vector<Domain> several_;
   std::map<std::string, NounTable::Name> chosen_;  // one name per category in a text

@@ -41,14 +41,15 @@ int Naming::mentions_of(const Domain& noun) const {
 
 Words Naming::first_everyday(const NounPhrase& said, const Noun& noun, Place place, const Description& description) {
   const std::string tail = description.tail(is_plural(noun));
-  const bool described = (!said.modifiers.empty() || !said.done.empty()) && !place.wanted;
+  const bool described = !said.modifiers.empty() && !place.wanted;
   const auto others = std::count_if(named_.begin(), named_.end(), [&](const Named& other) {
     return other.noun == said.noun && other.variable != said.variable;
   });
   // Of what is carried about, "a mug" where there is one is what people say as often.
   const bool carried =
       !place.inside_description && !described && !place.beside_every && is_carried(said.noun) && rng_.chance(0.5);
-  const bool alone = is_alone(said.noun) && !carried && !place.wanted && !place.chosen && others == 0;
+  // "The heated egg" would be hot already.
+  const bool alone = is_alone(said.noun) && !carried && !place.wanted && !place.chosen && others == 0 && !is_made(said);
   // What describes something is told apart by it: "the mug on the desk", also where there is another desk.
   const bool describes = place.inside_description && !place.denied && said.modifiers.empty() &&
                          said.noun.kind == Domain::Kind::Categories &&

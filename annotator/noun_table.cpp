@@ -50,6 +50,7 @@ std::vector<Token> tokens_of(std::string_view text) {
     if (is_word_char(text[i]))
       while (end < text.size() && is_word_char(text[end])) ++end;
     tokens.push_back({lower(text.substr(i, end - i)), static_cast<int>(i) + 1});
+    if (tokens.back().text == "gray") tokens.back().text = "grey";
     i = end;
   }
   for (std::size_t i = 0; i + 1 < tokens.size(); ++i)  // "half an apple" is a half apple
@@ -89,6 +90,7 @@ std::string named_again(std::string_view use) {
 
 NounTable::NounTable(const Knowledge& knowledge, English english) {
   Names made;
+  made.english = english;
   std::set<std::string> rooms, colours, materials;
   std::set<std::string, std::less<>> taken;
   for (const Category& category : knowledge.categories()) taken.insert(category.display);

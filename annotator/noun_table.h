@@ -20,7 +20,7 @@ struct Token {
   std::string text;
   int column = 0;  // 1-based, bytes
 };
-/// Words and punctuation marks in order; "half an apple" as "an half apple".
+/// Words and punctuation marks in order; "half an apple" as "an half apple", "gray" as "grey".
 std::vector<Token> tokens_of(std::string_view text);
 /// Whether the words of `name` come in the text one after another.
 bool says(const std::vector<Token>& text, std::string_view name);
@@ -64,6 +64,7 @@ class NounTable {
   const std::map<std::string, Phrase, std::less<>>& phrases() const { return phrases_; }
   void narrow(const std::string& phrase, const Domain& noun);
 
+  English english() const { return fixed_->english; }    // that its display names are of
   bool is_room_type(const std::string& category) const;  // by the knowledge base, as the two below
   bool is_colour(const std::string& word) const;
   bool is_material(const std::string& word) const;
@@ -104,6 +105,7 @@ class NounTable {
   static Reading longest(const Index& index, const std::vector<Token>& tokens, std::size_t at);
 
   struct Names {  // immutable
+    English english = English::Us;
     std::map<std::string, Name, std::less<>> names;
     std::map<std::string, std::vector<Name>, std::less<>> synonyms;
     std::vector<std::string> room_types, colours, materials;  // sorted

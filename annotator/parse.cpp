@@ -109,12 +109,15 @@ class TextReader {
 
   /// "…, not the blue one": which thing is meant, and that there is another.
   void contrast() {
-    if (!words_.accept(", not")) return;
-    Clause so;
-    so.subjects.push_back(words_.phrase());
-    if (so.subjects[0].determiner != Determiner::The || so.subjects[0].modifiers.empty())
-      words_.fail("expected which one is not meant, such as 'the blue one', before this");
-    say(Kind::Fact, {std::move(so)});
+    std::vector<NounPhrase> others = words_.contrasts();
+    if (words_.accept(", not")) others.push_back(words_.phrase());
+    for (NounPhrase& other : others) {
+      if (other.determiner != Determiner::The || other.modifiers.empty())
+        words_.fail("expected which one is not meant, such as 'the blue one', before this");
+      Clause so;
+      so.subjects.push_back(std::move(other));
+      say(Kind::Contrast, {std::move(so)});
+    }
   }
 
   void sentence() {
@@ -221,12 +224,31 @@ class TextReader {
     if (after.poured && !before.complements.empty()) after.complements[0].symbol = before.complements[0].symbol;
   }
 
+  /// What follows "then": a command, or another place, "put the egg on the table and then in the sink".
+  Clause next(const Clause& before) {
+    const bool moved = before.kind == Clause::Kind::Simple && before.subjects.size() == 1 &&
+                       before.complements.size() == 1 && before.complements[0].object.size() == 1 &&
+                       before.subjects[0].determiner != Determiner::It;
+    Clause after;
+    if (moved && words_.complement_comes()) {
+      NounPhrase thing;
+      thing.determiner = Determiner::Known;
+      thing.noun = before.subjects[0].noun;
+      thing.column = words_.column();
+      after.subjects = {std::move(thing)};
+      words_.complements(after);
+      return after;
+    }
+    after = clauses_.command();
+    take_symbol(before, after);
+    return after;
+  }
+
   /// "… then …": what follows "first".
   void in_order() {
     Clause before = clauses_.command();
     then();
-    Clause after = clauses_.command();
-    take_symbol(before, after);
+    Clause after = next(before);
     const bool both = kept();
     say(both ? Kind::ThenKept : Kind::Then, {std::move(before), std::move(after)});
   }
@@ -265,10 +287,9 @@ class TextReader {
       Clause clause = clauses_.command();
       if (then_comes()) {
         then();
-        Clause next = clauses_.command();
-        take_symbol(clause, next);
+        Clause after = next(clause);
         const bool again = words_.accept("again");
-        say(again ? Kind::Again : kept() ? Kind::ThenKept : Kind::Then, {std::move(clause), std::move(next)});
+        say(again ? Kind::Again : kept() ? Kind::ThenKept : Kind::Then, {std::move(clause), std::move(after)});
         return;
       }
       if (words_.accept_one({", and only then", "first , and then"}) >= 0) return only_then(std::move(clause));
@@ -390,8 +411,13 @@ Result<std::vector<Reading>> readings_of(std::string_view text, const NounTable&
       if (!first) first = reading.error();
       continue;
     }
-    const auto known = [&](const Reading& other) { return same_reading(*reading, other); };
-    if (std::none_of(found.begin(), found.end(), known)) found.push_back(std::move(*reading));
+    const auto known =
+        std::find_if(found.begin(), found.end(), [&](const Reading& other) { return same_reading(*reading, other); });
+    if (known != found.end()) {
+      known->strained = known->strained && reading->strained;
+    } else {
+      found.push_back(std::move(*reading));
+    }
   }
   if (found.empty()) return *first;
   return found;
@@ -400,6 +426,8 @@ Result<std::vector<Reading>> readings_of(std::string_view text, const NounTable&
 Result<Formula> parse_with(std::string_view text, const NounTable& lexicon) {
   auto readings = readings_of(text, lexicon);
   if (!readings) return readings.error();
+  if (readings->size() == 1 && readings->front().strained)
+    return Error{Error::Kind::Parse, "instruction", {1, 1}, kStrainedPronoun};
   if (readings->size() == 1) return std::move(readings->front().goal);
   return Error{Error::Kind::Parse,
                "instruction",

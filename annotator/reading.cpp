@@ -231,9 +231,10 @@ int PhraseReader::number() {
 NounPhrase PhraseReader::noun_after(NounPhrase read, bool plural) {
   std::optional<Complement> front;
   auto noun = lexicon_.noun_at(tokens_, at_);
-  while (noun.length == 0 && (front = adjective())) {
+  while (noun.length == 0 && (result(read) || (front = adjective()))) {
     ++at_;
-    read.modifiers.push_back(*front);
+    if (front) read.modifiers.push_back(*front);
+    front.reset();
     noun = lexicon_.noun_at(tokens_, at_);
   }
   if (!plural && room_before_noun(read)) noun = lexicon_.noun_at(tokens_, at_);
@@ -269,7 +270,17 @@ NounPhrase PhraseReader::described(NounPhrase read) {
   ++depth_;
   description(read);
   --depth_;
+  contrast(read);
   return read;
+}
+
+/// "the red mug, not the blue one": there is another, which is not meant.
+void PhraseReader::contrast(const NounPhrase& read) {
+  if (read.determiner != Determiner::The || read.modifiers.empty() || !comes(", not the") || depth_ > 0) return;
+  accept(", not");
+  contrasts_.push_back(phrase());
+  if (contrasts_.back().modifiers.empty()) fail("expected which one is not meant, such as 'the blue one', before this");
+  accept(",");
 }
 
 void PhraseReader::description(NounPhrase& read) {
@@ -336,6 +347,29 @@ void PhraseReader::left_out(NounPhrase& read) {
   read.modifiers = std::move(other.modifiers);
 }
 
+/// "A heated egg", of what is put somewhere: the egg is to be heated. "Cooked" may also say how it is now.
+bool PhraseReader::result(NounPhrase& read) {
+  if (!results_ || depth_ > 0 || read.determiner != Determiner::New) return false;
+  for (const PredicatePhrase& made : result_phrases()) {
+    if (peek() != made.words || (made.optional && choices_.choose(2) > 0)) continue;
+    read.done.push_back({made.predicate, false, "", {}});
+    return true;
+  }
+  return false;
+}
+
+/// "A box with a pen in it", of what is put somewhere: the pen is to be there, too.
+void PhraseReader::with_something(NounPhrase& read) {
+  if (!results_ || depth_ > 1 || !accept("with")) return;
+  --depth_;  // what is named here can be spoken of
+  Complement done{P::Inside, false, "", {phrase()}, true};
+  ++depth_;
+  const int where = accept_one({"in it", "inside it", "on it"});
+  if (where < 0) fail("expected 'in it' or 'on it'");
+  if (where == 2) done.predicate = P::On;
+  read.done.push_back(std::move(done));
+}
+
 /// What follows a noun at once: "nearest to the sink", "where a plate is kept", "that you put a mug into", and, where
 /// no place can be meant otherwise, "in the kitchen".
 void PhraseReader::direct_description(NounPhrase& read) {
@@ -355,6 +389,7 @@ void PhraseReader::direct_description(NounPhrase& read) {
     read.modifiers.push_back(complement());
     bare_places_ = true;
   }
+  with_something(read);
   while (!failed() && accept("that you put")) {
     Complement done{P::Inside, false, "", {phrase()}, true};
     if (accept("on")) {

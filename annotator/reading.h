@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "annotator/clause.h"
@@ -55,6 +56,10 @@ class PhraseReader {
   Complement complement();
   /// What "what I need for that" means from here on.
   void set_occasion(const Domain& needed) { occasion_ = needed; }
+  /// From here on what is put somewhere may say what is to be done to it: "put a heated egg on a plate".
+  void set_results(bool results) { results_ = results; }
+  /// One of `count` meanings of the words.
+  std::size_t choose(std::size_t count) { return choices_.choose(count); }
   /// From here on a place after a noun describes it: "open the drawer in the kitchen".
   void set_bare_places(bool bare) { bare_places_ = bare; }
   /// The same of rooms alone: "put a mug on the table in the kitchen".
@@ -62,6 +67,8 @@ class PhraseReader {
   /// Whether a comma alone goes on with what is said of something; "before you put it there, open a fridge" does not.
   void set_comma_lists(bool lists) { comma_lists_ = lists; }
   std::optional<NounPhrase> room_floor();
+  /// "…, not the blue one": what was told from what is meant since the last call.
+  std::vector<NounPhrase> contrasts() { return std::exchange(contrasts_, {}); }
   /// "clean and on that table", "either in a box or on a table"
   void complements(Clause& into);
   /// Words up to where a clause can continue, joined by "_": "tomato_sauce".
@@ -79,9 +86,13 @@ class PhraseReader {
   bool one_again(NounPhrase& phrase);
   void left_out(NounPhrase& phrase);
   void direct_description(NounPhrase& phrase);
+  void contrast(const NounPhrase& phrase);
+  bool result(NounPhrase& phrase);
+  void with_something(NounPhrase& phrase);
   bool room_comes() const;
   std::optional<Complement> adjective() const;
   std::optional<Predicate> preposition();
+  std::optional<Predicate> on_or_off() const;
   Complement relation(Predicate predicate);
 
   const std::vector<Token>& tokens_;
@@ -89,9 +100,10 @@ class PhraseReader {
   WordChoices& choices_;
   std::optional<Domain> occasion_;
   std::vector<Domain> named_;  // what "the red one" may be one of
-  int depth_ = 0;              // of descriptions, whose nouns it cannot be
+  std::vector<NounPhrase> contrasts_;
+  int depth_ = 0;  // of descriptions, whose nouns it cannot be
   std::size_t at_ = 0;
-  bool bare_places_ = false, bare_rooms_ = false, comma_lists_ = true;
+  bool bare_places_ = false, bare_rooms_ = false, comma_lists_ = true, results_ = false;
   std::optional<Error> error_;
 };
 

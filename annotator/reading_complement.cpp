@@ -26,7 +26,14 @@ std::optional<Complement> PhraseReader::adjective() const {
   return std::nullopt;
 }
 
+/// "If the stove is on, …"
+std::optional<Predicate> PhraseReader::on_or_off() const {
+  if (peek(1) != "," && peek(1) != ".") return std::nullopt;
+  return peek() == "on" ? std::optional(P::PowerOn) : peek() == "off" ? std::optional(P::PowerOff) : std::nullopt;
+}
+
 bool PhraseReader::complement_comes() const {
+  if (on_or_off()) return true;
   if (peek() == "not" || lexicon_.is_colour(peek())) return true;
   for (const PredicatePhrase& words : state_phrases())
     if (comes(words.words)) return true;
@@ -74,6 +81,10 @@ Complement PhraseReader::complement() {
     Complement read = complement();
     read.negated = !read.negated;
     return read;
+  }
+  if (const auto power = on_or_off()) {
+    ++at_;
+    return {*power, false, "", {}};
   }
   for (const PredicatePhrase& words : state_phrases())
     if (accept(words.words)) return {words.predicate, false, "", {}};

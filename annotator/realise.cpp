@@ -1,5 +1,6 @@
 #include "annotator/realise.h"
 
+#include <algorithm>
 #include <initializer_list>
 #include <string_view>
 
@@ -68,9 +69,13 @@ class Realiser {
       if (!part) return std::nullopt;
       parts.push_back(*part);
     }
-    const bool long_parts = parts.size() == 2 && (parts[0].find(" and ") != std::string::npos);
-    const std::string body = long_parts ? parts[0] + ", and " + parts[1] : listed(parts, "and");
-    return asked(body, is_first);
+    // "Take the vase off the shelf and put it on the desk. Close the fridge."
+    const auto is_long = [](const std::string& part) { return part.find(" and put ") != part.npos; };
+    if (parts.size() < 2 || std::none_of(parts.begin(), parts.end(), is_long))
+      return asked(listed(parts, "and"), is_first);
+    std::vector<std::string> sentences;
+    for (const std::string& part : parts) sentences.push_back(*asked(part, is_first && sentences.empty()));
+    return join(sentences, " ");
   }
 
   Text final_sentence(std::size_t from, std::size_t to, bool is_first) {
@@ -143,7 +148,10 @@ class Realiser {
       case Kind::Then:
       case Kind::ThenKept: {
         const Text first = clauses_.command(clauses[0]);
-        const Text second = first ? clauses_.command(clauses[1]) : std::nullopt;
+        const bool another_place = everyday_ && !said.inverted && first && goes_on_to_another_place(*first, clauses);
+        const Text second = another_place ? naming_.complement(clauses[1].complements[0], {})
+                            : first       ? clauses_.command(clauses[1])
+                                          : std::nullopt;
         if (!second) return std::nullopt;
         if (everyday_) return in_order(*first, *second, said.inverted);
         const std::string kept =
@@ -176,6 +184,8 @@ class Realiser {
       }
       case Kind::Stated:
         return stated(said);
+      case Kind::Contrast:  // contrast.h
+        return std::nullopt;
     }
     return std::nullopt;
   }
@@ -193,10 +203,21 @@ class Realiser {
     return sentence(join(parts, ", ") + ", and " + last + " again", '.');
   }
 
+  /// "Put the egg on the table and then in the sink."
+  static bool goes_on_to_another_place(const std::string& first, const std::vector<Clause>& clauses) {
+    const auto puts = [](const Clause& clause) {
+      return clause.kind == Clause::Kind::Simple && clause.subjects.size() == 1 && clause.complements.size() == 1 &&
+             clause.complements[0].object.size() == 1 && !clause.complements[0].negated;
+    };
+    if (!puts(clauses[0]) || !puts(clauses[1]) || clauses[0].subjects[0].variable.empty()) return false;
+    return clauses[0].subjects[0].variable == clauses[1].subjects[0].variable &&
+           (first.starts_with("put ") || first.starts_with("place ")) && first.find(" it ") == first.npos;
+  }
+
   /// "First wash a pan, then heat it."
   Text in_order(const std::string& first, const std::string& second, bool inverted) {
     if (inverted) return framed("before you ", Text(first + ", " + second), "");
-    if (rng_.chance(0.4)) return framed("first ", Text(first + ", then " + second), "");
+    if (rng_.chance(0.2)) return framed("first ", Text(first + ", then " + second), "");
     return framed("", Text(first + (rng_.chance(0.6) ? ", then " : " and then ") + second), "");
   }
 
@@ -227,7 +248,7 @@ class Realiser {
     const Text condition = clauses_.given(clause);
     const Text then = condition ? clauses_.command(clause) : std::nullopt;
     if (!then) return std::nullopt;
-    return framed(condition->substr(1) + pick({", please ", ", then "}), then, "");
+    return framed(condition->substr(1) + (everyday_ ? ", " : pick({", please ", ", then "})), then, "");
   }
 
   /// "once you've put the towel in the washer, turn it on"
@@ -246,6 +267,7 @@ class Realiser {
     if (!wanted.modifiers.empty() || naming_.was_named(wanted.variable)) return std::nullopt;
     wanted.modifiers = {clause.complements[0]};
     const auto thing = naming_.phrase(wanted, {.wanted = true});
+    naming_.set_topic(wanted.variable);
     return thing ? Text(thing->text) : std::nullopt;
   }
 
@@ -279,13 +301,15 @@ std::optional<std::string> fact_sentence(const NounPhrase& thing, Naming& naming
   const auto named = naming.phrase(body, {.wanted = true});
   if (!named || named->plural) return std::nullopt;
   const Text where = naming.complement(places[0], {.inside_description = true, .unique = true});
+  naming.mention_again(places[0].predicate == Predicate::NextTo ? "" : thing.variable);
+  naming.set_topic(thing.variable);
   const std::string there = rng.chance(0.5) ? "there is " : "there's ";
   return where ? Text(sentence(there + named->text + " " + *where, '.')) : std::nullopt;
 }
 
 std::optional<std::string> realise(const Plan& plan, const NounTable& lexicon, const Wording& wording, Rng rng) {
   auto text = Realiser(plan, lexicon, wording, rng).text();
-  for (const char* twice : {" that that ", " it in it", " it on it"})  // right, and hard to read
+  for (const char* twice : {" that that ", " it in it", " it on it", " on it on "})  // right, and hard to read
     if (text && text->find(twice) != std::string::npos) return std::nullopt;
   return text;
 }

@@ -88,22 +88,37 @@ Formula References::restriction(const Complement& modifier, const Term& subject,
   return said_of(modifier, subject, &slot);
 }
 
-Term References::known(const NounPhrase& phrase) {
-  if (phrase.determiner == Determiner::It) {
-    if (referents_.empty()) {
-      fail(phrase.column, "'it' means something that was named before, and nothing was");
-      return {};
-    }
-    const std::size_t back = choices_.choose(referents_.size());
-    return reference_variable(referents_[referents_.size() - 1 - back].variable);
+/// What was named last, or, less likely, something that was named before.
+Term References::pronoun(int column) {
+  if (referents_.empty()) {
+    fail(column, "'it' means something that was named before, and nothing was");
+    return {};
   }
+  std::vector<std::string> latest;
+  for (const Referent& referent : referents_) latest.push_back(referent.variable);
+  const std::string last = clause_ == 0 ? "" : mentions_[clause_ - 1];
+  const auto found = std::find(latest.begin(), latest.end(), last);
+  if (found != latest.end()) std::rotate(found, found + 1, latest.end());
+  const std::size_t back = choices_.choose(latest.size());
+  const std::string& meant = latest[latest.size() - 1 - back];
+  strained_ = strained_ || meant != last;
+  mentions_.push_back(meant);
+  return reference_variable(meant);
+}
+
+Term References::known(const NounPhrase& phrase) {
+  if (phrase.determiner == Determiner::It) return pronoun(phrase.column);
   const std::vector<const Referent*> found = named(phrase.noun);
+  const auto meant = [&](const Referent& one) {
+    mentions_.push_back(one.variable);
+    return reference_variable(one.variable);
+  };
   if (phrase.determiner == Determiner::Ordinal) {
-    if (phrase.number <= static_cast<int>(found.size())) return reference_variable(found[phrase.number - 1]->variable);
+    if (phrase.number <= static_cast<int>(found.size())) return meant(*found[phrase.number - 1]);
     fail(phrase.column, "fewer objects of this kind were named before");
     return {};
   }
-  if (found.size() == 1) return reference_variable(found[0]->variable);
+  if (found.size() == 1) return meant(*found[0]);
   fail(phrase.column, found.empty() ? "no such object was named before" : "several such objects were named before");
   return {};
 }
@@ -149,6 +164,7 @@ Resolved References::resolve(const NounPhrase& phrase, Box& box) {
   hidden_.push_back(phrase.noun);
   const bool all = phrase.determiner == Determiner::Every || phrase.determiner == Determiner::No;
   slot = {reference_variable(name), true, restricted(phrase, name, all ? &box : nullptr), &phrase};
+  if (phrase.determiner == Determiner::Any) mentions_.emplace_back();  // of several it would be "them"
   return slot;
 }
 
@@ -158,6 +174,7 @@ Resolved References::introduced(const NounPhrase& phrase, Box& box) {
   box.variables.emplace_back(name, slot.domain);
   referents_.push_back(
       {name, phrase.noun, phrase.by_function || phrase.noun.kind == Domain::Kind::Object, is_definite(phrase)});
+  mentions_.push_back(name);
   return slot;
 }
 

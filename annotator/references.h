@@ -53,6 +53,19 @@ class References {
   /// Binds a variable by a phrase of any determiner; its name can be referred to until `leave`.
   Resolved bound(const NounPhrase& phrase);
 
+  /// A command or statement begins: its "it" is not what it names itself, as "put a mug in it" shows.
+  void begin_clause() { clause_ = mentions_.size(); }
+  /// What was named within a description is not what was spoken of last: "switch on the washer that you put a shirt
+  /// into" is of the washer.
+  void mention_again(const Resolved& slot) { mentions_.push_back(slot.local ? "" : slot.term.name); }
+  /// What was named since this many mentions is spoken of no more: "not the blue one".
+  std::size_t mention_count() const { return mentions_.size(); }
+  void forget_mentions(std::size_t before) { mentions_.resize(before); }
+  /// From here on "it" is not clear: "there is a tomato next to the apple".
+  void mention_several() { mentions_.emplace_back(); }
+  /// Whether some "it" was taken for something else than what was named last.
+  bool is_strained() const { return strained_; }
+
   std::size_t named_count() const { return referents_.size(); }  // things named so far
   /// What was named since cannot be referred to from here on.
   void leave(std::size_t before);
@@ -75,10 +88,14 @@ class References {
   std::vector<const Referent*> named(const Domain& noun) const;
   bool hidden(const Domain& noun) const;
   Formula restriction(const Complement& modifier, const Term& subject, Box* text);
+  Term pronoun(int column);
 
   std::vector<Referent> referents_;
   std::vector<Domain> hidden_;  // named as one of several, but cannot be referred to
   std::vector<Domain> absent_;
+  std::vector<std::string> mentions_;  // variables in order of the text, the latest last; "": what "it" cannot mean
+  std::size_t clause_ = 0;             // mentions before the present clause
+  bool strained_ = false;
   int count_ = 0;
   std::optional<Error> error_;
 };

@@ -5,6 +5,7 @@
 
 #include "annotator/words_for_reading.h"
 #include "generator/phrase_kind.h"
+#include "scene/states.h"
 
 namespace unietp {
 namespace {
@@ -95,10 +96,9 @@ bool begin_with_fact(Message& message) {
 
 /// "Put every mug that is not red on a table. Keep the red mug …" becomes "Put every mug but the red one on a table."
 bool make_exception(Message& message) {
-  const auto kept = std::find_if(message.begin(), message.end(),
-                                 [](const Requirement& requirement) { return requirement.kind == Kind::Always; });
-  if (kept == message.end()) return false;
-  message.erase(kept);
+  // One for each place that it is kept from.
+  if (std::erase_if(message, [](const Requirement& requirement) { return requirement.kind == Kind::Always; }) == 0)
+    return false;
   for (Requirement& requirement : message)
     for (Clause& clause : requirement.clauses)
       for (NounPhrase& subject : clause.subjects) {
@@ -110,9 +110,28 @@ bool make_exception(Message& message) {
   return false;
 }
 
+/// "If the stove is on, turn it off.": one command about the only such thing, and how that is now.
+bool make_condition_of_thing(Plan& plan) {
+  if (plan.message.size() != 1 || !says_one_thing(plan.message[0])) return false;
+  Clause& clause = plan.message[0].clauses[0];
+  const NounPhrase& thing = clause.subjects[0];
+  const auto opposite = opposite_of(clause.complements[0].predicate);
+  const auto is_so = [&](const NounPhrase& start) {
+    return start.noun == thing.noun && start.modifiers.size() == 1 && start.modifiers[0].object.empty() &&
+           start.modifiers[0].symbol.empty() && opposite == start.modifiers[0].predicate;
+  };
+  const auto there = std::find_if(plan.conditions.begin(), plan.conditions.end(), is_so);
+  if (!opposite || there == plan.conditions.end() || !thing.modifiers.empty() || thing.there != 1) return false;
+  NounPhrase now = *there;
+  now.variable = thing.variable;
+  clause.given = {std::move(now)};
+  return true;
+}
+
 /// Makes the whole text one conditional sentence, with a condition that the start meets.
 bool make_conditional(Plan& plan) {
   if (plan.conditions.empty()) return false;
+  if (make_condition_of_thing(plan)) return true;
   Clause all;
   all.kind = Clause::Kind::And;
   for (const Requirement& requirement : plan.message) {

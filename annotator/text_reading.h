@@ -10,6 +10,7 @@ namespace unietp {
 struct Reading {
   Formula goal;
   std::vector<Formula> facts;  // state formulas, with `:where`
+  bool strained = false;       // takes "it" for something else than what was named last
 };
 
 }  // namespace unietp

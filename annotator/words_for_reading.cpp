@@ -65,9 +65,9 @@ constexpr std::array<ReadingRow, kPredicateCount> kReadingRows{{
     {P::Material, "", "", "made of", "", "", ""},
     {P::Size, "", "", "of the size", "", "larg big small tini tiny littl size",
      "larger. largest. bigger. biggest. smaller. smallest."},
-    {P::On, "", "on top of|onto|on", "", "", "on. onto. upon. top. over. off. from. atop. stand surface divid", ""},
+    {P::On, "", "on top of|onto|on", "", "", "on. onto. upon. top. over. off. from. atop. stand surface divid to.", ""},
     {P::Inside, "", "inside of|inside|into|in", "", "",
-     "in. into. inside within. out. from. contain kept keep store fill full", ""},
+     "in. into. inside within. out. from. contain kept keep store fill full to.", ""},
     {P::NextTo, "", "next to|beside", "", "", "next. beside. near. by. adjacent. alongside.",
      "beside. alongside. adjacent."},
     {P::Under, "", "underneath|under", "", "", "under below beneath", "under. underneath. below. beneath."},
@@ -133,6 +133,18 @@ std::span<const PredicatePhrase> symbol_phrases() {
 std::span<const PredicatePhrase> verb_phrases() {
   static const auto all = forms(&ReadingRow::verbs);
   return all;
+}
+
+std::span<const PredicatePhrase> result_phrases() {
+  static constexpr std::array<PredicatePhrase, 8> kResults{{{"washed", {}, false, P::Clean},
+                                                            {"rinsed", {}, false, P::Clean},
+                                                            {"heated", {}, false, P::Hot},
+                                                            {"warmed", {}, false, P::Hot},
+                                                            {"chilled", {}, false, P::Cool},
+                                                            {"cooled", {}, false, P::Cool},
+                                                            {"cooked", {}, true, P::Cooked},
+                                                            {"soaked", {}, true, P::Soaked}}};
+  return kResults;
 }
 
 std::string_view words_for(Predicate predicate) { return kReadingRows[static_cast<std::size_t>(predicate)].evidence; }

@@ -26,6 +26,9 @@ std::span<const PredicatePhrase> preposition_phrases();
 std::span<const PredicatePhrase> symbol_phrases();
 /// Verbs that bring a state about: "switch on".
 std::span<const PredicatePhrase> verb_phrases();
+/// What is to be done to what is put somewhere: "heated" in "put a heated egg on a plate". `optional`: it may also say
+/// how a thing is.
+std::span<const PredicatePhrase> result_phrases();
 
 /// Words that may say a state or relation, in any text: whoever says it uses one of these. Beginnings of words, with
 /// blanks between: "open clos". "" for what needs no word of its own.

@@ -68,7 +68,7 @@ constexpr WritingRow kWritingRows[] = {
 
 struct EverydayRow {
   Predicate predicate;
-  std::array<std::string_view, 3> verbs = {};
+  std::array<std::string_view, 4> verbs = {};
 };
 
 /// Where people say it in fewer or other words than the table above has.
@@ -88,8 +88,8 @@ constexpr EverydayRow kEverydayRows[] = {
     {P::Held, {"pick up {s}", "grab {s}"}},
     {P::SatOn, {"sit down on {s}", "sit on {s}"}},
     {P::LainOn, {"lie down on {s}"}},
-    {P::On, {"put {s} on {o}", "place {s} on {o}", "set {s} on {o}"}},
-    {P::Inside, {"put {s} in {o}", "place {s} in {o}"}},
+    {P::On, {"put {s} on {o}", "place {s} on {o}", "move {s} to {o}"}},
+    {P::Inside, {"put {s} in {o}", "place {s} in {o}", "move {s} to {o}", "put {s} inside {o}"}},
     {P::NextTo, {"put {s} next to {o}", "place {s} next to {o}"}},
     {P::Under, {"put {s} under {o}"}},
     {P::OnFloor, {"put {s} on the floor of {o}"}},
@@ -110,7 +110,18 @@ const WritingRow& row_of(Predicate predicate) {
 std::string state_word(Predicate predicate) { return std::string(row_of(predicate).state); }
 
 std::string made_so(Predicate predicate) {
-  return predicate == P::Hot ? "heated" : predicate == P::Cool ? "chilled" : predicate == P::Clean ? "washed" : "";
+  switch (predicate) {
+    case P::Hot:
+      return "heated";
+    case P::Cool:
+      return "chilled";
+    case P::Clean:
+      return "washed";
+    case P::Cooked:
+      return "cooked";
+    default:
+      return "";
+  }
 }
 
 std::string before_object(Predicate predicate) { return std::string(row_of(predicate).preposition); }

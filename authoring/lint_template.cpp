@@ -80,6 +80,9 @@ LintedFile lint_template(const std::string& path, std::string text, const std::v
     if (why.empty()) continue;
     warn(claims == nullptr ? file->children[1].pos : claims->children[i + 1].pos, std::move(why));
   }
+  auto readings = read_phrasings(source, backends);
+  for (std::size_t i = 0; i < readings.size(); ++i)
+    linted.phrasings.push_back({phrasings->children[i + 1].pos.line, std::move(readings[i])});
   return linted;
 }
 

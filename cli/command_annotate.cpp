@@ -33,6 +33,8 @@ void add_annotate_command(CommandParser& app, CommandLine& program) {
       "is then as it was, unless --stand-in is given.",
       {{"unietp annotate out/mine --seed 5", "other wordings by the grammar"},
        {"unietp annotate out/mine --phrasings benchmark", "phrases that never occur in training texts"},
+       {"unietp annotate out/mine --english gb", "bin, tap and cooker for trash can, faucet and stove"},
+       {"unietp annotate out/mine --contrasts", "wordings.jsonl with minimal pairs"},
        {"unietp annotate out/mine --writer llm --llm-url http://localhost:8080/v1 --llm-model qwen2.5-7b", ""},
        {"unietp annotate out/mine --writer llm --llm-url URL --llm-model M --dry-run",
         "print the prompts and send nothing"},
@@ -43,6 +45,8 @@ void add_annotate_command(CommandParser& app, CommandLine& program) {
   command->add_option("--seed", options->request.seed, "Seed of the wording (default: that of the data set)");
   command->add_flag("--paired", options->request.paired,
                     "Also write wordings.jsonl: a direct, a referring and a complex wording of each task");
+  command->add_flag("--contrasts", options->request.contrasts,
+                    "The same, with a text that differs from the direct one in one word and asks for another goal");
   command->add_flag("--replace-human", options->request.replace_human,
                     "Also replace texts that people wrote or corrected");
   add_writer_options(*command, options->writer);

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "authoring/phrasing_reading.h"
 #include "authoring/template_choice.h"
 #include "authoring/trial_reasons.h"
 #include "cli/command_parser.h"
@@ -53,7 +54,10 @@ Json parts_json(const TaskSense& graded) {
   return parts;
 }
 
-Json trial_json(const TemplateTrial& trial, Simulator simulator, const TrialGrader& grade) {
+Json trial_json(const TemplateTrial& trial, Simulator simulator, const TrialGrader& grade,
+                const std::vector<StyleTexts>& texts) {
+  auto styles = Json::array();
+  for (const auto& style : texts) styles.push_back({{"style", name_of(style.style)}, {"texts", style.texts}});
   auto tasks = Json::array();
   for (const auto& task : trial.tasks) {
     auto binding = Json::object();
@@ -70,6 +74,7 @@ Json trial_json(const TemplateTrial& trial, Simulator simulator, const TrialGrad
   return {{"simulator", name_of(simulator)},
           {"candidates", trial.candidates},
           {"tasks", std::move(tasks)},
+          {"texts", std::move(styles)},
           {"rejections", rejections_json(trial)}};
 }
 
@@ -81,7 +86,20 @@ void print_grade(const TaskSense& graded) {
   }
 }
 
-void print_trial(const TemplateTrial& trial, const std::string& name, Simulator simulator, const TrialGrader& grade) {
+/// Three texts for each style, of the goal of the first task.
+std::vector<StyleTexts> sample_texts(const Template& source, const TemplateTrial& trial, const TrialGrader& grade) {
+  constexpr std::size_t kTexts = 3;
+  if (trial.tasks.empty()) return {};
+  const Specification& task = trial.tasks.front().episode.specification;
+  const Backend& backend = grade.resources.backend(task.simulator);
+  const auto plain = instantiate(source, backend.knowledge, task.binding);
+  return plain ? texts_by_style(source, *plain, backend, trial.tasks.front().episode.start, kTexts,
+                                Rng(trial.tasks.front().seed))
+               : std::vector<StyleTexts>();
+}
+
+void print_trial(const TemplateTrial& trial, const std::string& name, Simulator simulator, const TrialGrader& grade,
+                 const std::vector<StyleTexts>& texts) {
   std::printf("%s on %s: %zu of %d candidates became tasks\n", name.c_str(), std::string(name_of(simulator)).c_str(),
               trial.tasks.size(), trial.candidates);
   for (const auto& task : trial.tasks) {
@@ -90,6 +108,10 @@ void print_trial(const TemplateTrial& trial, const std::string& name, Simulator 
     print_grade(grade(task));
     int number = 0;
     for (const auto& step : steps_of(task)) std::printf("  %3d  %s\n", ++number, step.c_str());
+  }
+  for (const auto& style : texts) {
+    std::printf("\n  in the style %s\n", std::string(name_of(style.style)).c_str());
+    for (const auto& text : style.texts) std::printf("    \"%s\"\n", text.c_str());
   }
   for (const auto& why : trial.reasons) std::printf("\n  %s\n", text_of(why).c_str());
   if (const auto change = likeliest_change(trial); !change.empty()) std::printf("  most likely: %s\n", change.c_str());
@@ -128,8 +150,9 @@ Exit try_one(const TemplateTryOptions& options, const CommandLine& program) {
   auto json = Json::array();
   for (std::size_t i = 0; i < trials.size(); ++i) {
     any = any || !trials[i].tasks.empty();
-    if (options.json) json.push_back(trial_json(trials[i], simulators[i], grade));
-    if (!options.json) print_trial(trials[i], source.name, simulators[i], grade);
+    const auto texts = sample_texts(source, trials[i], grade);
+    if (options.json) json.push_back(trial_json(trials[i], simulators[i], grade, texts));
+    if (!options.json) print_trial(trials[i], source.name, simulators[i], grade, texts);
   }
   if (options.json)
     std::printf("%s\n",
@@ -148,7 +171,8 @@ void add_template_try_command(CommandParser& group, CommandLine& program) {
   command->explain(
       "A task is shown when its start was built and is at rest, the expert's plan was executed and reaches "
       "the goal, and no step of the plan can be left out. Each is graded: would anybody want that in a home "
-      "(docs/sense.md)? Exit code 1: no task on any simulator.",
+      "(docs/sense.md)? Three texts follow for each style that the goal of the first task can be said in. Exit code 1: "
+      "no task on any simulator.",
       {{"unietp template try place-one-on", "on every simulator that it claims"},
        {"unietp template try my.template --simulator ai2thor", "a file that is in no library yet"},
        {"unietp template try place-one-on --count 5 --seed 2", "more tasks in other homes"},

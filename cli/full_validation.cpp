@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "dataset/configuration_json.h"
+#include "rewording/check_phrasing.h"
 #include "rewording/check_sense.h"
 #include "rewording/check_template.h"
 #include "rewording/check_text.h"
@@ -22,6 +23,7 @@ Result<ValidationOptions> full_validation(const Resources& resources, const std:
   options.check_template = [&resources](const TaskRecord& task, const Formula& goal, const ManifestRecord& manifest) {
     auto problems = check_template(task, goal, manifest, resources);
     for (auto& problem : check_sense(task, goal, resources)) problems.push_back(std::move(problem));
+    for (auto& problem : check_phrasing(task, resources)) problems.push_back(std::move(problem));
     return problems;
   };
   options.make_home = [&resources](const ManifestRecord& manifest, const std::string& name) {

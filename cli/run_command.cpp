@@ -144,6 +144,7 @@ Exit make_data_set(RunCommand& command, const Resources& resources, const Comman
   const auto phrasings = check_writer(command.writer);
   if (!phrasings) return refuse(phrasings.error());
   if (*phrasings != Phrasings::Everyday) command.configuration.phrasings = *phrasings;
+  command.configuration.english = english_of(command.writer).value_or(command.configuration.english);
   const bool by_grammar = command.writer.writer == "grammar";
   if (!by_grammar && !command.run.shard.is_whole())
     return refuse({Error::Kind::Usage,

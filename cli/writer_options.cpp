@@ -138,6 +138,12 @@ void add_writer_options(CommandParser& command, WriterChoice& choice) {
       ->type_name("NAME")
       ->suggests({"everyday", "all", "training", "benchmark"})
       ->shows_default();
+  command
+      .add_option("--english", choice.english,
+                  "Names of things: us (fridge, trash can, faucet) or gb (fridge, bin, tap); default: us, or what the "
+                  "data set has")
+      ->type_name("NAME")
+      ->suggests({"us", "gb"});
   command.add_option("--batch", choice.batch, "Folder of request and answer files, for --writer batch")->folder();
   command.add_option("--rewrites", choice.rewrites, "Further attempts after a model's text was refused")
       ->within(0, 20)
@@ -156,11 +162,19 @@ Result<Phrasings> check_writer(const WriterChoice& choice) {
     return option_error("--writer " + choice.writer, "needs --llm-model, as the server names it");
   if (*writer == Writer::Batch && choice.batch.empty())
     return option_error("--writer batch", "needs --batch, the folder for request and answer files");
+  if (!choice.english.empty() && !english_of(choice))
+    return unknown_name_error("--english", choice.english, {"us", "gb"});
   if (choice.phrasings == "everyday") return Phrasings::Everyday;
   if (choice.phrasings == "all") return Phrasings::All;
   if (choice.phrasings == "training") return Phrasings::Training;
   if (choice.phrasings == "benchmark") return Phrasings::Benchmark;
   return unknown_name_error("--phrasings", choice.phrasings, {"everyday", "all", "training", "benchmark"});
+}
+
+std::optional<English> english_of(const WriterChoice& choice) {
+  for (const English english : kEnglishes)
+    if (choice.english == name_of(english)) return english;
+  return std::nullopt;
 }
 
 Exit reword_dataset(const RewordRequest& request, const Resources& resources, const WriterChoice& choice,
@@ -170,12 +184,14 @@ Exit reword_dataset(const RewordRequest& request, const Resources& resources, co
   AnnotateOptions options;
   options.writer = *writer_named(choice.writer);
   options.seed = request.seed;
-  options.paired = request.paired;
+  options.paired = request.paired || request.contrasts;
+  options.contrasts = request.contrasts;
   options.replace_human = request.replace_human;
   options.stand_in = choice.stand_in;
   options.llm.model = choice.llm.model;
   options.llm.rewrites = choice.rewrites;
   options.llm.phrasings = *phrasings;
+  options.english = english_of(choice);
   if (choice.llm.dry_run) return dry_run(request.folder, resources, options, choice.llm);
   if (options.writer == Writer::Llm) return with_server(request, resources, options, choice.llm, program);
   if (options.writer == Writer::Batch) return with_batch(request, resources, options, choice);

@@ -12,24 +12,26 @@ namespace unietp {
 
 /// Who writes the instructions, as given on the command line.
 struct WriterChoice {
-  std::string writer = "grammar", phrasings = "everyday";
-  std::filesystem::path batch;  // folder of request and answer files
+  std::string writer = "grammar", phrasings = "everyday", english;  // english "": as it is
+  std::filesystem::path batch;                                      // folder of request and answer files
   int rewrites = 2;
   bool stand_in = false;
   LlmChoice llm;
 };
 
-/// Adds --writer, --phrasings, --batch, --rewrites, --stand-in and the options of a language model.
+/// Adds --writer, --phrasings, --english, --batch, --rewrites, --stand-in and the options of a language model.
 void add_writer_options(CommandParser& command, WriterChoice& choice);
 
 /// The phrasings of a choice. Errors: Usage for an unknown name or a missing option.
 Result<Phrasings> check_writer(const WriterChoice& choice);
+/// The English of a choice that `check_writer` accepts; nullopt where none is named.
+std::optional<English> english_of(const WriterChoice& choice);
 
 /// Which instructions are rewritten, and from where to where.
 struct RewordRequest {
   std::filesystem::path folder, out;
   std::optional<std::uint64_t> seed;
-  bool paired = false, replace_human = false;
+  bool paired = false, contrasts = false, replace_human = false;
 };
 
 /// Rewrites the instructions of a data set and prints a summary. Exit::Wrong when answers are still missing; the data

@@ -47,6 +47,8 @@ std::string_view name_of(Phrasings phrasings) {
   return kNames[static_cast<std::size_t>(phrasings)];
 }
 
+std::string_view name_of(English english) { return english == English::Us ? "us" : "gb"; }
+
 std::string_view name_of_least(Grade grade) { return grade == Grade::Senseless ? "any" : name_of(grade); }
 
 const std::vector<Split>& all_splits() {

@@ -29,6 +29,9 @@ std::string_view name_of(HomeSource source);  // "benchmark"
 inline constexpr std::array kPhrasings{Phrasings::Everyday, Phrasings::All, Phrasings::Training, Phrasings::Benchmark};
 std::string_view name_of(Phrasings phrasings);  // "training"
 
+inline constexpr std::array kEnglishes{English::Us, English::Gb};  // in the order of the enumeration
+std::string_view name_of(English english);                         // "us"
+
 /// The least sense that tasks are to make, in the words of `--sense`: "usual", "tolerable", "any" for Senseless.
 std::string_view name_of_least(Grade grade);
 
@@ -61,6 +64,7 @@ struct RunConfiguration {
   int objects = 60;                 // movable ones asked for in a drawn home
   std::vector<std::string> scenes;  // given homes, "<id> <sha256>"; empty: homes are drawn
   Phrasings phrasings = Phrasings::Everyday;
+  English english = English::Us;
   Grade sense = Grade::Usual;  // at least; where a template has nothing so good, its tasks are the best that it has
   bool operator==(const RunConfiguration&) const = default;
 };

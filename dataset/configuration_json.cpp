@@ -63,6 +63,8 @@ class ConfigurationReader {
     if (configuration.modes.front() != Mode::M1) configuration.modes.insert(configuration.modes.begin(), Mode::M1);
     if (const auto at = fields.optional("phrasings"))
       configuration.phrasings = one_of(*at, std::vector<Phrasings>(kPhrasings.begin(), kPhrasings.end()));
+    if (const auto at = fields.optional("english"))
+      configuration.english = one_of(*at, std::vector<English>(kEnglishes.begin(), kEnglishes.end()));
     if (const auto at = fields.optional("sense")) {
       const auto grade = parse_sense("", reader_.text(*at));
       if (!grade) reader_.fail(*at, grade.error().message);
@@ -211,6 +213,7 @@ Json to_json(const RunConfiguration& configuration) {
   }
   json["modes"] = names_json(configuration.modes);
   json["phrasings"] = name_of(configuration.phrasings);
+  json["english"] = name_of(configuration.english);
   json["sense"] = name_of_least(configuration.sense);
   json["attempts"] = configuration.attempts;
   json["block"] = configuration.block;

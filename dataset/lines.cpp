@@ -42,6 +42,7 @@ Json instruction_json(const Instruction& instruction) {
             {"style", name_of(instruction.style)},
             {"checks", instruction.checks}};
   if (!instruction.why.empty()) json["why"] = instruction.why;
+  if (instruction.phrasing > 0) json["phrasing"] = instruction.phrasing;
   return json;
 }
 
@@ -185,6 +186,10 @@ std::string line_of(const WordingsEntry& wordings) {
     json["referring"]["goal"] = wordings.referring_goal;
   }
   if (wordings.complex) json["complex"] = instruction_json(*wordings.complex);
+  if (wordings.contrast) {
+    json["contrast"] = instruction_json(*wordings.contrast);
+    json["contrast"]["goal"] = wordings.contrast_goal;
+  }
   return dumped(json);
 }
 

@@ -78,6 +78,8 @@ struct WordingsEntry {
   std::optional<Instruction> referring;
   std::string referring_goal;  // that `referring` states
   std::optional<Instruction> complex;
+  std::optional<Instruction> contrast;
+  std::string contrast_goal;  // that `contrast` states
 };
 /// Format `unietp-wordings/1`.
 std::string line_of(const WordingsEntry& wordings);

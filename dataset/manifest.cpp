@@ -44,6 +44,7 @@ Json writing_json(const WritingEntry& writing) {
   Json json{{"writer", writing.writer}};
   if (writing.seed) json["seed"] = *writing.seed;
   json["phrasings"] = writing.phrasings;
+  json["english"] = writing.english;
   json["counts"] = Json::array();
   for (const auto& [writer, tasks] : writing.counts) json["counts"].push_back({{"writer", writer}, {"tasks", tasks}});
   return json;

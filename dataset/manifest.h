@@ -34,6 +34,7 @@ struct WritingEntry {
   std::string writer;
   std::optional<std::uint64_t> seed;                // of the wording, where it is not the run's
   std::string phrasings;                            // "everyday", "all", "training" or "benchmark"
+  std::string english;                              // "us" or "gb"
   std::vector<std::pair<std::string, int>> counts;  // writer of an instruction, tasks
 };
 

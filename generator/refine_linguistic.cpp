@@ -4,6 +4,7 @@
 #include "generator/goal_variable.h"
 #include "generator/refinement.h"
 #include "generator/specification.h"
+#include "scene/states.h"
 
 namespace unietp {
 namespace {
@@ -15,11 +16,11 @@ struct StyleShare {
   double weight;
 };
 constexpr std::array kShares = {
-    StyleShare{Style::Alias, 1},          StyleShare{Style::Function, 1},       StyleShare{Style::Hypernym, 2},
-    StyleShare{Style::Description, 3},    StyleShare{Style::Context, 1.2},      StyleShare{Style::Request, 100},
-    StyleShare{Style::Aside, 0.8},        StyleShare{Style::Negation, 0.7},     StyleShare{Style::Exception, 100},
-    StyleShare{Style::Ellipsis, 3},       StyleShare{Style::Anaphora, 2},       StyleShare{Style::Compound, 10},
-    StyleShare{Style::InvertedOrder, 20}, StyleShare{Style::VagueQuantity, 100}};
+    StyleShare{Style::Alias, 1},          StyleShare{Style::Function, 1},        StyleShare{Style::Hypernym, 2},
+    StyleShare{Style::Description, 3},    StyleShare{Style::Context, 1.2},       StyleShare{Style::Request, 100},
+    StyleShare{Style::Aside, 0.8},        StyleShare{Style::Negation, 0.7},      StyleShare{Style::Exception, 100},
+    StyleShare{Style::Ellipsis, 3},       StyleShare{Style::Anaphora, 2},        StyleShare{Style::Compound, 10},
+    StyleShare{Style::InvertedOrder, 20}, StyleShare{Style::VagueQuantity, 100}, StyleShare{Style::Condition, 20}};
 
 bool says(const Formula& goal, const auto& is_asked) {
   return is_asked(goal) || std::any_of(goal.children.begin(), goal.children.end(),
@@ -48,6 +49,22 @@ bool has_another_name(const Specification& plain, const Knowledge& knowledge) {
   });
 }
 
+/// Whether the goal is one state of the only such thing in the home, which is in the opposite one: "if the stove is on,
+/// turn it off".
+bool is_undone_in_one(const Specification& plain, const SceneOffer& offer) {
+  const Formula& goal = plain.goal;
+  if (goal.op != Formula::Op::Exists || goal.children[0].op != Formula::Op::AtEnd || !goal.domain.where.empty() ||
+      goal.domain.members.size() != 1 || number_of(offer, goal.domain.members[0].category) != 1)
+    return false;
+  const Formula& asked = goal.children[0].children[0];
+  const auto opposite =
+      asked.op == Formula::Op::Atom && asked.terms.size() == 1 ? opposite_of(asked.predicate) : std::nullopt;
+  return opposite && std::any_of(plain.init.begin(), plain.init.end(), [&](const Formula& start) {
+           return start.op == Formula::Op::Forall && start.domain == goal.domain &&
+                  start.children[0].op == Formula::Op::Atom && start.children[0].predicate == *opposite;
+         });
+}
+
 Specification reworded(const Specification& plain, Style style) {
   auto changed = plain;
   changed.split = Split::Linguistic;
@@ -63,6 +80,8 @@ std::optional<Specification> refined(const Specification& plain, const Knowledge
       return has_another_name(plain, knowledge) ? std::optional(reworded(plain, style)) : std::nullopt;
     case Style::Aside:
       return reworded(plain, style);
+    case Style::Condition:
+      return is_undone_in_one(plain, offer) ? std::optional(reworded(plain, style)) : std::nullopt;
     case Style::InvertedOrder: {
       const auto in_order = [](const Formula& f) { return f.op == Formula::Op::Before; };
       return says(plain.goal, in_order) ? std::optional(reworded(plain, style)) : std::nullopt;

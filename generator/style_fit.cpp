@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "generator/goal_variable.h"
+#include "scene/states.h"
 
 namespace unietp {
 namespace {
@@ -27,6 +28,8 @@ bool has_form_for(Style style, const Formula& goal) {
       return true;
     case Style::Request:
       return asks_for_one_state(goal);
+    case Style::Condition:
+      return asks_for_one_state(goal) && opposite_of(goal.children[0].children[0].predicate).has_value();
     case Style::Exception:
       return any_part(goal, [](const Formula& f) { return f.op == Op::Forall && f.children[0].op == Op::AtEnd; });
     case Style::InvertedOrder:

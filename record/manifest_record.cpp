@@ -46,6 +46,12 @@ std::vector<std::string> read_names(JsonReader& reader, const JsonAt& at) {
   return names;
 }
 
+std::string read_english(JsonReader& reader, const JsonAt& at) {
+  std::string english = reader.text(at);
+  if (english != "us" && english != "gb") reader.unknown_name(at, "english", {"us", "gb"});
+  return english;
+}
+
 void read_run(JsonReader& reader, const JsonAt& at, RecordedRun& run) {
   JsonFields fields(reader, at);
   run.text = at.json.dump();
@@ -58,6 +64,7 @@ void read_run(JsonReader& reader, const JsonAt& at, RecordedRun& run) {
   if (const auto f = fields.optional("without")) run.without = reader.texts(*f);
   if (const auto f = fields.required("modes")) run.modes = read_modes(reader, *f);
   if (const auto f = fields.required("phrasings")) run.phrasings = reader.text(*f);
+  if (const auto f = fields.optional("english")) run.english = read_english(reader, *f);
   if (const auto f = fields.required("sense")) run.sense = reader.text(*f);
   if (const auto f = fields.required("homes")) run.homes = reader.text(*f);
   if (const auto f = fields.optional("quotas")) {
@@ -151,6 +158,7 @@ RecordedWriting read_writing(JsonReader& reader, const JsonAt& at) {
   if (const auto f = fields.required("writer")) writing.writer = reader.text(*f);
   if (const auto f = fields.optional("seed")) writing.seed = read_seed(reader, *f);
   if (const auto f = fields.required("phrasings")) writing.phrasings = reader.text(*f);
+  if (const auto f = fields.optional("english")) writing.english = read_english(reader, *f);
   if (const auto f = fields.required("counts")) {
     for (std::size_t i = 0; i < reader.items(*f) && !reader.error(); ++i) {
       const JsonAt item = reader.item(*f, i);
@@ -193,6 +201,7 @@ Result<ManifestRecord> read_manifest(std::string_view where, std::string_view te
   if (const auto f = fields.required("knowledge_digest")) manifest.knowledge_digest = reader.text(*f);
   if (const auto f = fields.required("configuration")) read_run(reader, *f, manifest.run);
   manifest.phrasings = manifest.run.phrasings;
+  manifest.english = manifest.run.english;
   if (const auto f = fields.required("seed"); f && !reader.error()) {
     if (read_seed(reader, *f) != manifest.run.seed && !reader.error())
       reader.fail(*f, "is not the seed of the configuration");
@@ -200,6 +209,7 @@ Result<ManifestRecord> read_manifest(std::string_view where, std::string_view te
   if (const auto f = fields.optional("instructions")) {
     manifest.writing = read_writing(reader, *f);
     manifest.phrasings = manifest.writing->phrasings;
+    manifest.english = manifest.writing->english;
   }
   if (const auto f = fields.required("counts")) read_counts(reader, *f, manifest);
   if (const auto f = fields.required("files")) read_files(reader, *f, manifest);

@@ -26,6 +26,7 @@ struct RecordedRun {
   std::map<std::string, int> by_split, by_simulator;  // quotas; both empty: equal shares
   std::vector<Mode> modes;
   std::string phrasings;             // "everyday", "all", "training", "benchmark"
+  std::string english = "us";        // or "gb"
   std::string sense;                 // "usual", "tolerable", "any"
   std::string homes;                 // "benchmark", "training", "drawn"
   int attempts = 0;                  // candidates tried for one task
@@ -43,6 +44,7 @@ struct RecordedWriting {
   std::string writer;
   std::optional<std::uint64_t> seed;
   std::string phrasings;
+  std::string english = "us";                       // or "gb"
   std::vector<std::pair<std::string, int>> counts;  // writer of the instruction, tasks
 };
 
@@ -69,7 +71,7 @@ struct ManifestRecord {
   std::string program_name, program_version;
   std::string knowledge_digest;
   RecordedRun run;
-  std::string phrasings;  // of the present instructions
+  std::string phrasings, english;  // of the present instructions
   int tasks = 0, candidates = 0;
   std::map<std::string, int> by_split, by_simulator, by_template, by_sense;
   std::map<std::string, int> not_usual;                          // by template

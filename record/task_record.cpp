@@ -36,6 +36,7 @@ void read_instruction(JsonReader& reader, const JsonAt& at, TaskRecord& task) {
   if (const auto f = fields.required("style")) task.style = reader.text(*f);
   if (const auto f = fields.required("checks")) task.checks = reader.texts(*f);
   if (const auto f = fields.optional("why")) task.fallback = reader.text(*f);
+  if (const auto f = fields.optional("phrasing")) task.phrasing = read_whole(reader, *f);
   fields.finish();
 }
 

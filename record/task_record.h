@@ -28,6 +28,7 @@ struct TaskRecord {
   std::string instruction, writer, style;
   std::vector<std::string> checks;   // names of the checks that the text passed
   std::string fallback;              // why the grammar wrote the text instead of a model; "" otherwise
+  int phrasing = 0;                  // the template's own that the text is, counted from 1; 0: none
   std::string purpose;               // what it is for in a home; "" where its template does not say
   std::vector<std::string> because;  // what in its start makes it needed
   std::string grade;                 // of its sense

@@ -32,6 +32,7 @@ Result<WordingsRecord> read_wordings(std::string_view where, int line, std::stri
     if (const auto f = fields.required("direct")) record.wordings["direct"] = read_wording(reader, *f, false);
     if (const auto f = fields.optional("referring")) record.wordings["referring"] = read_wording(reader, *f, true);
     if (const auto f = fields.optional("complex")) record.wordings["complex"] = read_wording(reader, *f, false);
+    if (const auto f = fields.optional("contrast")) record.wordings["contrast"] = read_wording(reader, *f, true);
   });
   if (!read) return read.error();
   return record;

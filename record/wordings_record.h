@@ -9,7 +9,7 @@
 
 namespace unietp {
 
-/// One wording of an episode. `goal`: its own if it refers to one object, else "".
+/// One wording of an episode. `goal`: its own if it refers to one object or asks for something else, else "".
 struct WordingRecord {
   std::string text, writer, style, goal;
   std::vector<std::string> checks;  // names of the checks that the text passed
@@ -19,7 +19,7 @@ struct WordingRecord {
 /// A line of wordings.jsonl.
 struct WordingsRecord {
   std::string task, pair;
-  std::map<std::string, WordingRecord> wordings;  // "direct", and "referring" and "complex" if they exist
+  std::map<std::string, WordingRecord> wordings;  // "direct", and "referring", "complex", "contrast" if they exist
 };
 /// Errors: Parse with line and column; Schema with line and JSON pointer.
 Result<WordingsRecord> read_wordings(std::string_view where, int line, std::string_view text);

@@ -128,7 +128,7 @@ Result<std::vector<CountedText>> counted_texts(const FinishedSet& set) {
   const auto done = for_each_task<CountedText>(
       std::move(*reader), 1,
       [](const FinishedTask& task) -> Result<CountedText> {
-        return CountedText{task.record.split, task.record.instruction};
+        return CountedText{task.record.split, task.record.instruction, task.record.phrasing > 0};
       },
       [&](CountedText&& text) -> Result<Done> {
         texts.push_back(std::move(text));
@@ -142,7 +142,7 @@ WordFigures word_figures(const std::vector<CountedText>& texts) {
   WordFigures figures;
   std::map<std::string, std::pair<double, int>> lengths;
   std::map<std::string, int> openings;
-  int brief = 0, framed = 0, polite = 0;
+  int brief = 0, framed = 0, polite = 0, by_author = 0;
   for (const CountedText& counted : texts) {
     const Words words = words_in(counted.text);
     if (words.empty()) continue;
@@ -156,6 +156,7 @@ WordFigures word_figures(const std::vector<CountedText>& texts) {
     const std::string spaced = " " + join(words, " ") + " ";
     framed += has_one_of(spaced, kFrames) ? 1 : 0;
     polite += has_one_of(spaced, kPolite) ? 1 : 0;
+    by_author += counted.by_author ? 1 : 0;
     ++openings[join(Words(words.begin(), words.begin() + std::min<std::ptrdiff_t>(3, std::ssize(words))), " ")];
     for (std::size_t i = 0; i + 1 < words.size(); ++i) ++figures.bigrams[{words[i], words[i + 1]}];
   }
@@ -170,6 +171,7 @@ WordFigures word_figures(const std::vector<CountedText>& texts) {
   figures.ten_openings = share(open, figures.texts);
   figures.frames = share(framed, figures.texts);
   figures.polite = share(polite, figures.texts);
+  figures.by_author = share(by_author, figures.texts);
   return figures;
 }
 
@@ -253,6 +255,8 @@ std::string word_table(const std::vector<std::pair<std::string, WordFigures>>& s
       percent(of_people("frames")));
   row(
       "polite", [&](const WordFigures& f) { return percent(f.polite); }, percent(of_people("polite")));
+  row(
+      "in phrasings of template authors", [&](const WordFigures& f) { return percent(f.by_author); }, "");
   const int pairs = sets.empty() ? 0 : static_cast<int>(total_of(sets.front().second.bigrams));
   row(
       "divergence of word pairs (bits)",

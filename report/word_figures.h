@@ -18,6 +18,7 @@ namespace unietp {
 struct CountedText {
   std::string split;
   std::string text;
+  bool by_author = false;  // in a phrasing of its template's own
 };
 
 /// How often each pair of neighbouring words occurs within texts; words are lower case, without punctuation.
@@ -31,6 +32,7 @@ struct WordFigures {
   double ten_openings = 0;                   // that begin with one of the ten commonest sequences of three words
   double frames = 0;                         // "make sure that", "I want you to": about the request itself
   double polite = 0;                         // "please", "could you"
+  double by_author = 0;                      // in phrasings of their templates' own
   Bigrams bigrams;
 };
 

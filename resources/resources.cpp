@@ -120,6 +120,12 @@ CompiledKnowledge compile_knowledge_into(const fs::path& folder, const DataFolde
   return compile_inputs(folder, folders, inputs);
 }
 
+const NounTable& Backend::nouns_in(English english) const {
+  if (english == English::Us) return nouns;
+  std::call_once(british->made, [&] { british->nouns.emplace(knowledge, English::Gb); });
+  return *british->nouns;
+}
+
 BackendsReading load_backends(const DataFolders& folders) {
   BackendsReading reading;
   auto compiled = compiled_knowledge(folders);
@@ -136,7 +142,7 @@ BackendsReading load_backends(const DataFolders& folders) {
       continue;
     }
     NounTable nouns(*knowledge);
-    reading.backends.push_back({std::move(*knowledge), *profile, std::move(nouns)});
+    reading.backends.push_back({std::move(*knowledge), *profile, std::move(nouns), std::make_shared<BritishNouns>()});
   }
   return reading;
 }

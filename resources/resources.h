@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,11 +19,21 @@
 
 namespace unietp {
 
+/// The British names of a knowledge base, made when they are first asked for.
+struct BritishNouns {
+  std::once_flag made;
+  std::optional<NounTable> nouns;
+};
+
 /// A simulator: the facts about its categories and the limits of its agent.
 struct Backend {
   Knowledge knowledge;
   Profile profile;
-  NounTable nouns;  // of the knowledge base
+  NounTable nouns;  // of the knowledge base, as Americans say them
+  std::shared_ptr<BritishNouns> british = std::make_shared<BritishNouns>();
+
+  /// The names of one English. May be called by several threads at once.
+  const NounTable& nouns_in(English english) const;
 };
 
 /// Where the compiled tables are.

@@ -30,6 +30,14 @@ Rng stream_of(const WordedTask& task, const AnnotateOptions& options) {
   return wording_stream(options.seed.value_or(record.run), record.slot, record.attempt);
 }
 
+English english_of(const AnnotateOptions& options) { return options.english.value_or(English::Us); }
+
+/// The options with the English of the data set where they have none.
+AnnotateOptions with_english(AnnotateOptions options, const ManifestRecord& manifest) {
+  if (!options.english) options.english = manifest.english == name_of(English::Gb) ? English::Gb : English::Us;
+  return options;
+}
+
 bool is_kept(const WordedTask& task, const AnnotateOptions& options) {
   return !options.replace_human && by_person(task.record.writer);
 }
@@ -48,10 +56,10 @@ Result<std::vector<WordingTask>> wording_tasks(HomeCache& homes, const std::vect
     for (auto& name : categories_of(task.specification.goal)) categories.insert(std::move(name));
     wording.push_back({task.specification,
                        &backend.knowledge,
-                       &backend.nouns,
+                       &backend.nouns_in(english_of(options)),
                        {categories.begin(), categories.end()},
                        std::make_shared<const Scene>(*scene),
-                       home_in_words(*scene, backend.nouns),
+                       home_in_words(*scene, backend.nouns_in(english_of(options))),
                        phrasings_of_template(resources, task.record.template_name),
                        stream_of(task, options)});
   }
@@ -63,7 +71,7 @@ Result<Instruction> by_grammar(HomeCache& homes, const WordedTask& task, const R
   const auto home = read_start(homes, task);
   if (!home) return home.error();
   const Backend& backend = resources.backend(task.specification.simulator);
-  return write_instruction(task.specification, backend.knowledge, backend.nouns,
+  return write_instruction(task.specification, backend.knowledge, backend.nouns_in(english_of(options)),
                            {options.llm.phrasings, categories_in(*home), &*home,
                             phrasings_of_template(resources, task.record.template_name)},
                            rng);
@@ -225,6 +233,7 @@ WritingEntry writing_of(const AnnotateReport& report, const AnnotateOptions& opt
   return {std::string(name_of(options.writer)),
           options.seed,
           std::string(name_of(options.llm.phrasings)),
+          std::string(name_of(english_of(options))),
           {report.by_writer.begin(), report.by_writer.end()}};
 }
 
@@ -256,12 +265,13 @@ std::optional<Writer> writer_named(std::string_view name) {
 }
 
 Result<AnnotateReport> annotate_dataset(const fs::path& folder, const fs::path& out, const Resources& resources,
-                                        const AnnotateOptions& options) {
+                                        const AnnotateOptions& asked) {
   // First of all, so that the folder stays as it is read, and one that cannot be written is known before hours of work.
   auto copy = ChangedCopy::begin(folder, out, is_new);
   if (!copy) return copy.error();
   const auto recorded = read_manifest_file(folder);
   if (!recorded) return recorded.error();
+  const AnnotateOptions options = with_english(asked, *recorded);
   auto manifest = written_again((folder / kManifest).string(), *recorded);
   if (!manifest) return manifest.error();
   AnnotateReport report;
@@ -269,7 +279,8 @@ Result<AnnotateReport> annotate_dataset(const fs::path& folder, const fs::path& 
     return done.error();
   if (report.unanswered > 0 && !options.stand_in) return report;
   if (options.paired) {
-    if (auto done = write_paired_wordings(folder, resources, {options.llm.phrasings, options.seed},
+    if (auto done = write_paired_wordings(folder, resources,
+                                          {options.llm.phrasings, english_of(options), options.seed, options.contrasts},
                                           copy->folder() / kWordingsFile);
         !done)
       return done.error();
@@ -281,8 +292,11 @@ Result<AnnotateReport> annotate_dataset(const fs::path& folder, const fs::path& 
   return report;
 }
 
-Result<Done> prompts_for(const fs::path& folder, const Resources& resources, const AnnotateOptions& options,
+Result<Done> prompts_for(const fs::path& folder, const Resources& resources, const AnnotateOptions& asked,
                          const std::function<void(const std::vector<LlmRequest>&)>& use) {
+  const auto recorded = read_manifest_file(folder);
+  if (!recorded) return recorded.error();
+  const AnnotateOptions options = with_english(asked, *recorded);
   HomeCache homes(folder);
   return for_each_batch(folder, [&](std::vector<WordedTask>& batch) -> Result<Done> {
     const auto wording = wording_tasks(homes, batch, resources, options);

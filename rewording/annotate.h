@@ -24,7 +24,9 @@ std::optional<Writer> writer_named(std::string_view name);
 struct AnnotateOptions {
   Writer writer = Writer::Grammar;
   std::optional<std::uint64_t> seed;  // of the wording; without it each run's own, which gives the texts it had
+  std::optional<English> english;     // without it that of the data set
   bool paired = false;                // also write wordings.jsonl (paired_wordings.h); an older one goes otherwise
+  bool contrasts = false;             // with contrasts in it
   bool replace_human = false;         // also texts that people wrote or corrected
   bool stand_in = false;              // the grammar's texts stand in where no answer came
   LlmWriterOptions llm;               // its phrasings are the grammar's, too; the rest is for the other two writers

@@ -33,15 +33,16 @@ std::vector<Problem> check_text(const StatedGoal& stated, const Backend& backend
   specification.goal = stated.goal;
   specification.init = stated.constraints;
   specification.style = *style;
-  const auto narrowed = narrowed_for(specification, backend.knowledge, backend.nouns);
-  const NounTable& nouns = narrowed ? *narrowed : backend.nouns;
+  const NounTable& all = backend.nouns_in(stated.english == name_of(English::Gb) ? English::Gb : English::Us);
+  const auto narrowed = narrowed_for(specification, backend.knowledge, all);
+  const NounTable& nouns = narrowed ? *narrowed : all;
 
   const auto form = form_faults(stated.text, specification);
   found(ProblemKind::TextForm, form);
   if (stated.writer == "person:unchecked") return problems;  // somebody vouches for it, against the reader
   const bool by_grammar = stated.writer == "grammar";
   auto meaning = by_grammar || stated.writer == "person"
-                     ? check_instruction(stated.text, specification, backend.knowledge, backend.nouns, stated.home)
+                     ? check_instruction(stated.text, specification, backend.knowledge, all, stated.home)
                      : saying_faults(stated.text, specification, nouns);
   std::erase_if(meaning,
                 [&](const std::string& fault) { return std::find(form.begin(), form.end(), fault) != form.end(); });

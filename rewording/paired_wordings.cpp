@@ -3,6 +3,8 @@
 #include <array>
 
 #include "annotator/home_facts.h"
+#include "annotator/minimal_pair.h"
+#include "annotator/phrasing_sets.h"
 #include "dataset/candidate_number.h"
 #include "dataset/lines.h"
 #include "record/dataset_reader.h"
@@ -23,6 +25,8 @@ class PairWriter {
       : task_(task),
         start_(std::move(start)),
         backend_(backend),
+        english_(options.english),
+        contrasts_(options.contrasts),
         writing_{options.phrasings, categories_in(start_), &start_},
         rng_(wording_stream(options.seed.value_or(task.record.run), task.record.slot, task.record.attempt)
                  .fork("pair", 0)) {
@@ -49,20 +53,37 @@ class PairWriter {
       pair.complex = std::move(*complex);
       break;
     }
+    if (contrasts_) add_contrast(pair);
     return pair;
   }
 
  private:
+  void add_contrast(WordingsEntry& pair) const {
+    Specification specification = task_.specification;
+    specification.style = Style::Direct;
+    const NounTable& nouns = backend_.nouns_in(english_);
+    auto other =
+        minimal_pair(pair.direct.text, specification, backend_.knowledge, nouns, start_, rng_.fork("contrast", 0));
+    const bool in_halves = writing_.phrasings == Phrasings::Training || writing_.phrasings == Phrasings::Benchmark;
+    if (!other || (in_halves && phrasings_of(other->text, nouns) != writing_.phrasings)) return;
+    pair.contrast = pair.direct;
+    pair.contrast->text = std::move(other->text);
+    pair.contrast_goal = to_text(other->goal);
+  }
+
   Result<Instruction> worded(const Formula& goal, Style style) const {
     Specification specification = task_.specification;
     specification.goal = goal;
     specification.style = style;
-    return write_instruction(specification, backend_.knowledge, backend_.nouns, writing_, rng_.fork(name_of(style), 0));
+    return write_instruction(specification, backend_.knowledge, backend_.nouns_in(english_), writing_,
+                             rng_.fork(name_of(style), 0));
   }
 
   const WordedTask& task_;
   Scene start_;
   const Backend& backend_;
+  English english_;
+  bool contrasts_;
   WritingOptions writing_;
   Rng rng_;
   Trace trace_;

@@ -13,13 +13,16 @@ namespace unietp {
 /// How paired wordings are written.
 struct PairOptions {
   Phrasings phrasings = Phrasings::Everyday;
+  English english = English::Us;
   std::optional<std::uint64_t> seed;  // of the wording; without it each run's own
+  bool contrasts = false;             // also one word changed, another goal
 };
 
 /// Writes `wordings.jsonl` to `file`: for each task of a folder the same episode in a direct, a referring and a complex
 /// wording, marked as a pair by the task's id, so that results compare like with like. Direct and complex state the
 /// task's goal; referring states it of the object that the demonstration used, with that goal beside it, and is left
-/// out where nothing simple tells the object apart. All are the grammar's and pass its checks. Errors: Io, Parse,
+/// out where nothing simple tells the object apart. A contrast differs from the direct wording in one word and states
+/// another goal, which stands beside it (minimal_pair.h). All are the grammar's and pass its checks. Errors: Io, Parse,
 /// Schema of a file; Unsatisfiable (names the task).
 Result<Done> write_paired_wordings(const std::filesystem::path& folder, const Resources& resources,
                                    const PairOptions& options, const std::filesystem::path& file);

@@ -57,8 +57,8 @@ Instruction instruction_of(const WordedTask& task) {
   std::vector<Style> phenomena;
   for (const std::string& name : record.phenomena)
     if (const auto style = style_named(name)) phenomena.push_back(*style);
-  return {record.instruction, record.writer,   task.specification.style,
-          record.checks,      record.fallback, std::move(phenomena)};
+  return {record.instruction, record.writer,        task.specification.style, record.checks,
+          record.fallback,    std::move(phenomena), record.phrasing};
 }
 
 Result<Scene> read_start(HomeCache& homes, const WordedTask& task) {

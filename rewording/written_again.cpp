@@ -76,6 +76,9 @@ Result<WordingsEntry> written_again(const WordingsRecord& wordings) {
       entry.direct = std::move(*instruction);
     } else if (name == "complex") {
       entry.complex = std::move(*instruction);
+    } else if (name == "contrast") {
+      entry.contrast = std::move(*instruction);
+      entry.contrast_goal = wording.goal;
     } else {
       entry.referring = std::move(*instruction);
       entry.referring_goal = wording.goal;
@@ -90,7 +93,7 @@ ReviewMarkEntry written_again(const ReviewMarkRecord& mark) {
 
 std::optional<WritingEntry> written_again(const std::optional<RecordedWriting>& writing) {
   if (!writing) return std::nullopt;
-  return WritingEntry{writing->writer, writing->seed, writing->phrasings, writing->counts};
+  return WritingEntry{writing->writer, writing->seed, writing->phrasings, writing->english, writing->counts};
 }
 
 Result<Manifest> written_again(std::string_view where, const ManifestRecord& manifest) {

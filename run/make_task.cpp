@@ -113,8 +113,8 @@ std::variant<Specification, Rejection> specify(const Template& source, const Lay
 }
 
 std::variant<Instruction, Rejection> instruct(const Specification& specification, const Backend& backend,
-                                              const WritingOptions& options, const Rng& rng) {
-  auto instruction = write_instruction(specification, backend.knowledge, backend.nouns, options, rng);
+                                              English english, const WritingOptions& options, const Rng& rng) {
+  auto instruction = write_instruction(specification, backend.knowledge, backend.nouns_in(english), options, rng);
   if (!instruction) return Rejection{RejectionReason::NoWords, instruction.error().message};
   if (instruction->style != specification.style)
     return Rejection{RejectionReason::NoWords, "no words in the style " + std::string(name_of(specification.style))};
@@ -172,9 +172,9 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
   timer.enter(Stage::Annotator);
   const Scene& start = task.episode.start;
   const auto categories = known.places ? categories_in(start, *known.places) : categories_in(start);
-  auto instruction =
-      instruct(specification, backend, {configuration.phrasings, categories, &start, source.instructions},
-               wording_stream(configuration.seed, slot.index, plan.attempt));
+  auto instruction = instruct(specification, backend, configuration.english,
+                              {configuration.phrasings, categories, &start, source.instructions},
+                              wording_stream(configuration.seed, slot.index, plan.attempt));
   if (auto* why = std::get_if<Rejection>(&instruction)) return rejected(std::move(*why));
   task.instruction = std::move(std::get<Instruction>(instruction));
 

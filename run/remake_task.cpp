@@ -49,7 +49,7 @@ Result<Remade> TaskRemaker::make(const RunConfiguration& configuration, const Ta
   if (const auto* why = std::get_if<Rejection>(&grounded))
     return Error{Error::Kind::Unsatisfiable, task.id, {}, why->detail};
   auto& episode = std::get<Grounded>(grounded).episode;
-  auto instruction = write_instruction(*specification, backend.knowledge, backend.nouns,
+  auto instruction = write_instruction(*specification, backend.knowledge, backend.nouns_in(configuration.english),
                                        {configuration.phrasings, categories_in(episode.start), &episode.start,
                                         phrasings_of_template(resources_, task.template_name)},
                                        wording_stream(task.run, task.slot, task.attempt));

@@ -11,7 +11,8 @@ void add_line(std::string& key, const std::optional<FileLine>& line) {
 }  // namespace
 
 std::string ProofMemory::key_of(const TaskLines& lines, const std::string& home, const ManifestRecord& manifest) {
-  std::string key = home + " " + manifest.phrasings + " " + (manifest.writing ? manifest.writing->writer : "the run");
+  std::string key = home + " " + manifest.phrasings + " " + manifest.english + " " +
+                    (manifest.writing ? manifest.writing->writer : "the run");
   for (const Mode mode : manifest.run.modes) key += " " + std::string(name_of(mode));
   key += '\n';
   add_line(key, lines.task);

@@ -197,22 +197,29 @@ class TaskProver {
     }
     if (!tools_.options.check_text) return;
     ++proof_.counts.texts;
+    auto problems = problems_of(text, writer, style, phenomena, goal);
+    for (Problem& problem : problems) problem.error.where = where;
+    found(std::move(problems));
+  }
+
+  /// What the reader of texts finds wrong, without a place.
+  std::vector<Problem> problems_of(const std::string& text, const std::string& writer, const std::string& style,
+                                   const std::vector<std::string>* phenomena, const Formula& goal) const {
     std::set<std::string> around;
     for (const Node& node : start_.nodes) around.insert(node.category);
     for (const Room& room : start_.rooms) around.insert(room.type);
-    auto problems = tools_.options.check_text({text,
-                                               writer,
-                                               style,
-                                               task_.template_name,
-                                               start_.simulator,
-                                               goal,
-                                               constraints_,
-                                               {around.begin(), around.end()},
-                                               &start_,
-                                               phenomena,
-                                               tools_.manifest == nullptr ? "everyday" : tools_.manifest->phrasings});
-    for (Problem& problem : problems) problem.error.where = where;
-    found(std::move(problems));
+    return tools_.options.check_text({text,
+                                      writer,
+                                      style,
+                                      task_.template_name,
+                                      start_.simulator,
+                                      goal,
+                                      constraints_,
+                                      {around.begin(), around.end()},
+                                      &start_,
+                                      phenomena,
+                                      tools_.manifest == nullptr ? "us" : tools_.manifest->english,
+                                      tools_.manifest == nullptr ? "everyday" : tools_.manifest->phrasings});
   }
 
   /// Direct and complex words are of the task's goal; those that refer have a goal that the demonstration reaches too.
@@ -234,17 +241,37 @@ class TaskProver {
         continue;
       }
       prove_text(wording.text, wording.writer, wording.style, nullptr, *goal, where);
+      if (holds(*goal, traces.at_start()))
+        found(ProblemKind::Wordings, where, "the goal of its " + name + " wording already holds at the start");
+      if (name == "contrast") {
+        prove_contrast(record.wordings.at("direct").text, wording, *goal, where);
+        continue;
+      }
       if (to_text(*goal) != wording.goal || (goal_ && without_references(*goal) != without_references(*goal_)))
         found(ProblemKind::Wordings, where,
               "the goal of its " + name + " wording is not the task's with a referring phrase");
-      if (holds(*goal, traces.at_start()))
-        found(ProblemKind::Wordings, where, "the goal of its " + name + " wording already holds at the start");
       if (shown == nullptr) continue;
       std::vector<Delta> changes;
       for (const StepRecord& step : shown->steps) changes.push_back(step.changes);
       if (!holds(*goal, traces.of(changes)))
         found(ProblemKind::Wordings, where, "its demonstration does not reach the goal of its " + name + " wording");
     }
+  }
+
+  /// A contrast differs from the direct wording in one word, and neither means the other's goal.
+  void prove_contrast(const std::string& direct, const WordingRecord& contrast, const Formula& goal,
+                      const std::string& where) {
+    const auto words = split(direct, ' '), others = split(contrast.text, ' ');
+    int changed = words.size() == others.size() ? 0 : 2;
+    for (std::size_t i = 0; changed < 2 && i < words.size(); ++i) changed += words[i] == others[i] ? 0 : 1;
+    if (changed != 1)
+      found(ProblemKind::Wordings, where, "its contrast does not differ from the direct wording in one word");
+    if (to_text(goal) != contrast.goal)
+      found(ProblemKind::Wordings, where, "the goal of its contrast is not written as it is read");
+    if (!tools_.options.check_text || !goal_) return;
+    if (problems_of(direct, contrast.writer, contrast.style, nullptr, goal).empty() ||
+        problems_of(contrast.text, contrast.writer, contrast.style, nullptr, *goal_).empty())
+      found(ProblemKind::Wordings, where, "its contrast means the same as the direct wording");
   }
 
   const TaskReading& reading_;

@@ -19,6 +19,7 @@ struct StatedGoal {
   std::vector<std::string> around;   // categories of the objects and types of the rooms of the start, sorted
   const Scene* home = nullptr;       // the start scene
   const std::vector<std::string>* phenomena = nullptr;  // that it says it shows; nullptr: says nothing
+  std::string english;                                  // that it is in: "us" or "gb"
   std::string phrasings;  // the set of turns of phrase that it is to be of: "everyday", "all", …
 };
 

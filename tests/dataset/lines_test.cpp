@@ -67,9 +67,10 @@ TEST(Lines, ARejectionFollowsItsSchema) {
 }
 
 TEST(Lines, WordingsFollowTheirSchema) {
-  WordingsEntry wordings{"ai2thor-00001", instruction(""), std::nullopt, "", std::nullopt};
+  WordingsEntry wordings{"ai2thor-00001", instruction(""), std::nullopt, "", std::nullopt, std::nullopt, ""};
   EXPECT_EQ(broken(line_of(wordings), "wordings.schema.json"), "");
-  wordings.referring = wordings.complex = instruction("");
+  wordings.referring = wordings.complex = wordings.contrast = instruction("");
+  wordings.contrast_goal = "(exists (?a - Fridge) (at-end (closed ?a)))";
   wordings.referring_goal = "(at-end (exists (?a - (Fridge :where (dirty ?a))) (open ?a)))";
   EXPECT_EQ(broken(line_of(wordings), "wordings.schema.json"), "");
 }
@@ -97,7 +98,7 @@ TEST(Lines, AManifestFollowsItsSchema) {
   manifest.sources = {{"curated", "this project", "MIT"}};
   SchemaChecker checker;
   EXPECT_EQ(checker.check(Json::parse(to_text(manifest)), "manifest.schema.json"), "");
-  manifest.writing = WritingEntry{"llm", 7, "training", {{"llm:m", 2}}};
+  manifest.writing = WritingEntry{"llm", 7, "training", "gb", {{"llm:m", 2}}};
   EXPECT_EQ(checker.check(Json::parse(to_text(manifest)), "manifest.schema.json"), "");
 }
 

@@ -94,9 +94,11 @@ class AnnotateCommand : public ::testing::Test {
     EXPECT_THAT(ended.out + ended.err, Not(HasSubstr(kKey)));
     for (const auto& [name, bytes] : bytes_below(folder_.path())) EXPECT_THAT(bytes, Not(HasSubstr(kKey))) << name;
   }
-  /// Answers to all requests in the batch folder that it has not answered, last one first, as the service gives them.
-  void serve_batch(WordingModel& model, const std::string& file, std::size_t leave_out) const {
-    std::vector<std::string> answers;
+  /// Answers to all requests in the batch folder that it has not answered, last one first, as the service gives them,
+  /// but for `leave_out` of them, of which none has the body `kept`.
+  void serve_batch(WordingModel& model, const std::string& file, std::size_t leave_out,
+                   const nlohmann::json& kept = {}) const {
+    std::vector<std::pair<bool, std::string>> answers;
     for (const auto& entry : fs::directory_iterator(folder_.at("batch"))) {
       if (!entry.path().filename().string().starts_with("requests-")) continue;
       for (const auto& line : split(*read_file(entry.path()), '\n')) {
@@ -105,16 +107,17 @@ class AnnotateCommand : public ::testing::Test {
         EXPECT_THAT(line, Not(HasSubstr(kKey)));
         const nlohmann::json body{
             {"choices", nlohmann::json::array({{{"message", {{"content", model.content_for(request["body"])}}}}})}};
-        answers.push_back(nlohmann::json{
-            {"custom_id", request["custom_id"]},
-            {"response", {{"status_code", 200}, {"body", body}}},
-            {"error",
-             nullptr}}.dump());
+        const nlohmann::json answer{{"custom_id", request["custom_id"]},
+                                    {"response", {{"status_code", 200}, {"body", body}}},
+                                    {"error", nullptr}};
+        answers.emplace_back(request["body"] == kept, answer.dump());
       }
     }
     std::sort(answers.rbegin(), answers.rend());
     answers.resize(answers.size() - std::min(leave_out, answers.size()));
-    ASSERT_TRUE(write_file(fs::path(folder_.at("batch")) / file, join(answers, "\n") + "\n"));
+    std::string lines;
+    for (const auto& [always, line] : answers) lines += line + "\n";
+    ASSERT_TRUE(write_file(fs::path(folder_.at("batch")) / file, lines));
   }
   ScratchFolder folder_;
 };
@@ -146,6 +149,50 @@ TEST_F(AnnotateCommand, TheGrammarWithTheRunsSeedGivesTheSameTexts) {
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_EQ(bytes_below(data())["tasks.jsonl"], bytes_below(made())["tasks.jsonl"]);
   expect_sound();
+}
+
+TEST_F(AnnotateCommand, TheEnglishIsChosenRecordedAndKept) {
+  ASSERT_EQ(annotate({"--english", "gb"}).code, 0);
+  expect_sound();
+  EXPECT_EQ(Json::parse(*read_file(data() / "manifest.json"))["instructions"]["english"], "gb");
+  std::string american, british;
+  for (const auto& line : json_lines(made() / "tasks.jsonl"))
+    american += line["instruction"]["text"].get<std::string>();
+  for (const auto& line : json_lines(data() / "tasks.jsonl")) british += line["instruction"]["text"].get<std::string>();
+  EXPECT_NE(american, british);
+  for (const char* word : {"trash can", "faucet", "closet", "couch"}) EXPECT_THAT(british, Not(HasSubstr(word)));
+  ASSERT_EQ(annotate({}).code, 0);
+  EXPECT_EQ(Json::parse(*read_file(data() / "manifest.json"))["instructions"]["english"], "gb");
+  const auto unknown = annotate({"--english", "oz"});
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("--english"));
+}
+
+TEST_F(AnnotateCommand, ContrastsDifferInOneWordAndMeanSomethingElse) {
+  ASSERT_EQ(annotate({"--contrasts"}).code, 0);
+  expect_sound();
+  int contrasts = 0;
+  for (const auto& line : json_lines(data() / "wordings.jsonl")) {
+    if (!line.contains("contrast")) continue;
+    ++contrasts;
+    const auto one = split(line["direct"]["text"].get<std::string>(), ' ');
+    const auto other = split(line["contrast"]["text"].get<std::string>(), ' ');
+    ASSERT_EQ(one.size(), other.size());
+    int differ = 0;
+    for (std::size_t i = 0; i < one.size(); ++i) differ += one[i] == other[i] ? 0 : 1;
+    EXPECT_EQ(differ, 1) << line["contrast"]["text"];
+  }
+  EXPECT_GE(contrasts, kCount / 2);
+  // The same text cannot have both goals.
+  auto lines = json_lines(data() / "wordings.jsonl");
+  for (auto& line : lines)
+    if (line.contains("contrast")) line["contrast"]["text"] = line["direct"]["text"];
+  std::string changed;
+  for (const auto& line : lines) changed += line.dump() + "\n";
+  ASSERT_TRUE(write_file(data() / "wordings.jsonl", changed));
+  const auto ended = run_program({"validate", data().string()});
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_THAT(ended.out + ended.err, HasSubstr("its contrast does not differ from the direct wording in one word"));
 }
 
 TEST_F(AnnotateCommand, AnotherSeedAndTurnsOfPhraseGiveOthers) {
@@ -292,7 +339,8 @@ TEST_F(AnnotateCommand, BatchFilesGoOnWhereTheAnswersEnded) {
 
   // The service gave one up: that is told, and it is asked anew.
   const auto given_up = split(*read_file(fs::path(folder_.at("batch")) / "requests-0001.jsonl"), '\n')[0];
-  const auto custom_id = nlohmann::json::parse(given_up)["custom_id"].get<std::string>();
+  const auto expired = nlohmann::json::parse(given_up);
+  const auto custom_id = expired["custom_id"].get<std::string>();
   const auto errors = fs::path(folder_.at("batch")) / "errors-0.jsonl";
   ASSERT_TRUE(write_file(errors, "{\"custom_id\": \"" + custom_id +
                                      "\", \"response\": null, \"error\": {\"code\": "
@@ -304,7 +352,7 @@ TEST_F(AnnotateCommand, BatchFilesGoOnWhereTheAnswersEnded) {
   EXPECT_THAT(ended.out, HasSubstr("out of time"));
   EXPECT_TRUE(fs::exists(fs::path(folder_.at("batch")) / "requests-0002.jsonl"));
 
-  serve_batch(model, "answers-1.jsonl", 2);  // of the wordings, two are missing
+  serve_batch(model, "answers-1.jsonl", 2, expired["body"]);  // of the wordings, two are missing
   ended = by_batch();
   EXPECT_EQ(ended.code, 1);
   EXPECT_THAT(ended.out, HasSubstr("2 waiting, 0 failed, " + std::to_string(kCount - 2) + " new requests"));

@@ -10,7 +10,7 @@ namespace unietp {
 namespace {
 
 TEST(WordFigures, AreCountedByText) {
-  const auto figures = word_figures({{"atomic", "Wash a mug."},
+  const auto figures = word_figures({{"atomic", "Wash a mug.", true},
                                      {"atomic", "Wash a mug, please."},
                                      {"logical", "Make sure that the large red mug that is on a table is clean."},
                                      {"logical", "Could you wash a plate?"},
@@ -23,6 +23,7 @@ TEST(WordFigures, AreCountedByText) {
   EXPECT_DOUBLE_EQ(figures.ten_openings, 1);
   EXPECT_DOUBLE_EQ(figures.frames, 0.25);
   EXPECT_DOUBLE_EQ(figures.polite, 0.5);
+  EXPECT_DOUBLE_EQ(figures.by_author, 0.25);
   EXPECT_EQ(figures.bigrams.at({"a", "mug"}), 2);
   EXPECT_FALSE(figures.bigrams.contains({"mug", "please."}));
 }

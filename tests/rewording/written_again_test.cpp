@@ -66,8 +66,8 @@ TEST(WrittenAgain, ATaskAndItsDemonstrationsStayAsTheyWere) {
 TEST(WrittenAgain, RejectionsWordingsAndMarksStayAsTheyWere) {
   const auto rejection = line_of(RejectionEntry{3, 1, "open-one", "ai2thor", "atomic", "expert", "no-plan", ""});
   EXPECT_EQ(line_of(written_again(*read_rejection("r", 1, rejection))), rejection);
-  const auto wordings =
-      line_of(WordingsEntry{"a", instruction("One.", ""), instruction("Two.", "why"), "(goal)", instruction("3.", "")});
+  const auto wordings = line_of(WordingsEntry{"a", instruction("One.", ""), instruction("Two.", "why"), "(goal)",
+                                              instruction("3.", ""), instruction("4.", ""), "(other)"});
   EXPECT_EQ(line_of(*written_again(*read_wordings("w", 1, wordings))), wordings);
   const auto mark = line_of(ReviewMarkEntry{"a", "edit", "Open it.", "odd"});
   EXPECT_EQ(line_of(written_again(*read_review_mark("m", 1, mark))), mark);
@@ -92,7 +92,7 @@ TEST(WrittenAgain, AManifestStaysAsItWas) {
   manifest.counts.balance = {{Dimension::Receptacle, 3, 2.123456789012345, 0.1}};
   manifest.files = {{"tasks.jsonl", {5'000'000'000, "b"}}};
   manifest.sources = {{"curated", "this project", "MIT"}};
-  manifest.writing = WritingEntry{"llm", 7, "training", {{"llm:m", 2}}};
+  manifest.writing = WritingEntry{"llm", 7, "training", "gb", {{"llm:m", 2}}};
   const auto record = read_manifest("manifest.json", to_text(manifest));
   ASSERT_TRUE(record) << format(record.error());
   const auto again = written_again("manifest.json", *record);
