@@ -64,7 +64,8 @@ class NounTable {
   const std::map<std::string, Phrase, std::less<>>& phrases() const { return phrases_; }
   void narrow(const std::string& phrase, const Domain& noun);
 
-  English english() const { return fixed_->english; }    // that its display names are of
+  /// The English that its display names are of.
+  English english() const { return fixed_->english; }
   bool is_room_type(const std::string& category) const;  // by the knowledge base, as the two below
   bool is_colour(const std::string& word) const;
   bool is_material(const std::string& word) const;

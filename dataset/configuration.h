@@ -29,8 +29,9 @@ std::string_view name_of(HomeSource source);  // "benchmark"
 inline constexpr std::array kPhrasings{Phrasings::Everyday, Phrasings::All, Phrasings::Training, Phrasings::Benchmark};
 std::string_view name_of(Phrasings phrasings);  // "training"
 
-inline constexpr std::array kEnglishes{English::Us, English::Gb};  // in the order of the enumeration
-std::string_view name_of(English english);                         // "us"
+/// In the order of the enumeration.
+inline constexpr std::array kEnglishes{English::Us, English::Gb};
+std::string_view name_of(English english);  // "us"
 
 /// The least sense that tasks are to make, in the words of `--sense`: "usual", "tolerable", "any" for Senseless.
 std::string_view name_of_least(Grade grade);

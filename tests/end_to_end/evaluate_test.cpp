@@ -250,7 +250,7 @@ TEST(Evaluate, WithoutFeedbackNoPromptTellsOfSuccess) {
     SCOPED_TRACE(::testing::PrintToString(talk));
     ChatServer server(&calm);
     Options options{"--model", "m",        "--llm-url",  server.url, "--llm-wait", "0",
-                    "--modes", "M1,M2,M3", "--feedback", "none",     "--limit",    "3"};
+                    "--modes", "M1,M2,M3", "--feedback", "none",     "--limit",    "6"};
     options.insert(options.end(), talk.begin(), talk.end());
     if (std::find(talk.begin(), talk.end(), "--images") == talk.end())
       options.insert(options.end(), {"--images", "none"});

@@ -106,7 +106,7 @@ TEST(WhatAnAgentIsTold, ComesByRoomOnRequest) {
   EXPECT_EQ(movables, home.movables.size());
 
   // The prompt tells the same.
-  const std::string prompt = environment.prompt();
+  const std::string prompt = environment.prompt() + "\n";  // it ends without one
   for (const RoomContents& room : home.by_room) {
     std::string line = room.room.id + ":";
     for (const auto* things : {&room.furniture, &room.movables}) {
