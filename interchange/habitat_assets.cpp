@@ -23,8 +23,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// An object's frame in Habitat's: to_habitat after half a turn about the upright axis.
-Pose own_frame() { return {Vec3::Zero(), rotation_to_habitat(Quat::Identity())}; }
+/// An object's frame in Habitat's: x, y and z there are -x, z and y here, so that fronts are along -z.
+Pose own_frame() { return {Vec3::Zero(), Quat(0, 0, std::sqrt(0.5), std::sqrt(0.5))}; }
 /// W in Habitat's world: a quarter turn about x.
 Pose world_frame() { return {Vec3::Zero(), Quat(std::sqrt(0.5), -std::sqrt(0.5), 0, 0)}; }
 

@@ -64,7 +64,7 @@ void read_run(JsonReader& reader, const JsonAt& at, RecordedRun& run) {
   if (const auto f = fields.optional("without")) run.without = reader.texts(*f);
   if (const auto f = fields.required("modes")) run.modes = read_modes(reader, *f);
   if (const auto f = fields.required("phrasings")) run.phrasings = reader.text(*f);
-  if (const auto f = fields.optional("english")) run.english = read_english(reader, *f);
+  if (const auto f = fields.required("english")) run.english = read_english(reader, *f);
   if (const auto f = fields.required("sense")) run.sense = reader.text(*f);
   if (const auto f = fields.required("homes")) run.homes = reader.text(*f);
   if (const auto f = fields.optional("quotas")) {
@@ -158,7 +158,7 @@ RecordedWriting read_writing(JsonReader& reader, const JsonAt& at) {
   if (const auto f = fields.required("writer")) writing.writer = reader.text(*f);
   if (const auto f = fields.optional("seed")) writing.seed = read_seed(reader, *f);
   if (const auto f = fields.required("phrasings")) writing.phrasings = reader.text(*f);
-  if (const auto f = fields.optional("english")) writing.english = read_english(reader, *f);
+  if (const auto f = fields.required("english")) writing.english = read_english(reader, *f);
   if (const auto f = fields.required("counts")) {
     for (std::size_t i = 0; i < reader.items(*f) && !reader.error(); ++i) {
       const JsonAt item = reader.item(*f, i);

@@ -124,6 +124,36 @@ TEST(HabitatAssets, EqualThingsShareAStandIn) {
   EXPECT_NE(habitat_stand_in_name(one), habitat_stand_in_name(other));
 }
 
+TEST(HabitatAssets, MeshesStandUprightWithTheirFrontsAlongMinusZ) {
+  Node node = mug();
+  node.archetype = Archetype::Box, node.size = {0.2, 0.4, 0.6};  // width, depth, height
+  const std::string glb = habitat_stand_in(node)[1].content;
+  const Json json = Json::parse(glb.substr(20, word(glb, 12)));
+  Vec3 low(1, 1, 1), high(-1, -1, -1);
+  for (const Json& one : json["accessors"]) {
+    if (!one.contains("min")) continue;
+    for (int i = 0; i < 3; ++i) {
+      const auto axis = static_cast<std::size_t>(i);
+      low[i] = std::min(low[i], one["min"][axis].get<double>());
+      high[i] = std::max(high[i], one["max"][axis].get<double>());
+    }
+  }
+  EXPECT_THAT(std::vector<double>({high.x() - low.x(), high.y() - low.y(), high.z() - low.z()}),
+              ::testing::ElementsAre(::testing::DoubleNear(0.2, 1e-6), ::testing::DoubleNear(0.6, 1e-6),
+                                     ::testing::DoubleNear(0.4, 1e-6)));
+
+  // What opens does so at its front: the doors of a cabinet are at the smallest z.
+  const Shape shape = make_shape(Archetype::Cabinet, {0.8, 0.5, 1.0}, true);
+  ASSERT_LT(shape.joints[0].anchor.y(), 0) << "fronts are along -y here";
+  Node cabinet = mug();
+  cabinet.archetype = Archetype::Cabinet, cabinet.openable = true, cabinet.size = {0.8, 0.5, 1.0};
+  const std::string urdf = habitat_stand_in(cabinet)[1].content;
+  std::smatch found;
+  const std::regex pattern("<joint[^>]*>[^<]*<parent[^>]*>[^<]*<child[^>]*>[^<]*<origin xyz=\"\\S+ \\S+ (\\S+)\"");
+  ASSERT_TRUE(std::regex_search(urdf, found, pattern)) << urdf;
+  EXPECT_LT(std::stod(found[1]), 0);
+}
+
 TEST(HabitatAssets, NamesAreNamesOfFilesWhateverTheCategory) {
   Node node = mug();
   node.category = "../../etc/pass wd", node.material = "steel/zinc";

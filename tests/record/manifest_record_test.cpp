@@ -17,7 +17,7 @@ Json sound() {
       R"({"format":"unietp-manifest/1","program":{"name":"unietp","version":"0.1.0"},"knowledge_digest":"digest","seed":7,
     "configuration":{"format":"unietp-run/1","seed":7,"count":3,"simulators":["habitat"],"splits":[],
       "quotas":{"splits":{"atomic":3},"simulators":{"habitat":3}},"templates":[],"without":["wave"],
-      "modes":["M1","M3"],"phrasings":"training","sense":"tolerable","attempts":40,"block":256,"homes":"drawn","rooms":5,"objects":9},
+      "modes":["M1","M3"],"phrasings":"training", "english": "us","sense":"tolerable","attempts":40,"block":256,"homes":"drawn","rooms":5,"objects":9},
     "counts":{"tasks":3,"candidates":5,"by_split":{"atomic":3},"by_simulator":{"habitat":3},
       "by_template":[{"template":"open-one","tasks":3}],
       "by_sense":{"tolerable":1,"usual":2},"not_usual":[{"template":"open-one","tasks":1}],
