@@ -67,9 +67,12 @@ TEST(ReadManifest, TextsThatWereWrittenAnewHaveTheirOwnPhrasings) {
   json["instructions"] = {{"writer", "llm"}, {"counts", Json::array()}};
   EXPECT_FALSE(read_manifest("manifest.json", json.dump()));
   json["instructions"]["phrasings"] = "all";
+  EXPECT_FALSE(read_manifest("manifest.json", json.dump()));
+  json["instructions"]["english"] = "gb";
   const auto manifest = read_manifest("manifest.json", json.dump());
   ASSERT_TRUE(manifest);
   EXPECT_EQ(manifest->phrasings, "all");
+  EXPECT_EQ(manifest->english, "gb");
 }
 
 }  // namespace
