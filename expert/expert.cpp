@@ -125,6 +125,9 @@ std::variant<std::vector<Action>, Rejection> try_plans(ExecutionTree& executions
     if (!choice) break;
     Attempt attempt(executions, situation, choice->alternative, options);
     for (const Action& action : beginning.done) attempt.act(action);
+    // What was done in a home need not work in the home that is believed.
+    if (attempt.actions().size() != beginning.done.size())
+      return Rejection{RejectionReason::NoPlan, "what was done does not fit what is believed of the home"};
     const std::size_t least = attempt.actions().size() + least_steps(attempt) + 1;
     if (least > static_cast<std::size_t>(options.max_steps)) {
       ++out_of_steps;
