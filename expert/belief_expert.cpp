@@ -66,13 +66,13 @@ std::vector<std::string> tools_for(const WantedState& wanted, const std::string&
 /// Looks, plans and acts behind a window.
 class BeliefExpert {
  public:
-  BeliefExpert(const Errand& errand, Window& window)
-      : errand_(errand),
+  BeliefExpert(const SearchProblem& problem, Window& window)
+      : problem_(problem),
         window_(window),
-        needs_(search_needs(errand.goal)),
-        profile_(profile_of_m2(errand.profile)),
+        needs_(search_needs(problem.goal)),
+        profile_(profile_of_m2(problem.profile)),
         belief_(window.told(), needs_, relevant()),
-        order_(window.told(), errand.knowledge, errand.usual, needs_.shut) {}
+        order_(window.told(), problem.knowledge, problem.usual, needs_.shut) {}
 
   std::optional<Trouble> run() {
     see();
@@ -96,11 +96,11 @@ class BeliefExpert {
 
   std::set<std::string> relevant() const {
     std::set<std::string> all;
-    for (const std::string& category : categories_of(errand_.goal)) all.insert(category);
+    for (const std::string& category : categories_of(problem_.goal)) all.insert(category);
     for (const WantedState& wanted : needs_.states) {
       if (wanted.stated) continue;
       for (const std::string& category : wanted.categories) {
-        for (std::string& tool : tools_for(wanted, category, errand_.knowledge, profile_)) all.insert(std::move(tool));
+        for (std::string& tool : tools_for(wanted, category, problem_.knowledge, profile_)) all.insert(std::move(tool));
       }
     }
     return all;
@@ -140,7 +140,7 @@ class BeliefExpert {
     return known;
   }
   bool is_movable(const std::string& category) const {
-    const Category* known = errand_.knowledge.find(category);
+    const Category* known = problem_.knowledge.find(category);
     return known != nullptr && known->movable;
   }
 
@@ -160,7 +160,7 @@ class BeliefExpert {
     for (const WantedState& wanted : needs_.states) {
       if (wanted.stated) continue;
       for (const std::string& category : wanted.categories) {
-        const auto tools = tools_for(wanted, category, errand_.knowledge, profile_);
+        const auto tools = tools_for(wanted, category, problem_.knowledge, profile_);
         if (tools.empty() ||
             std::any_of(tools.begin(), tools.end(), [this](const auto& tool) { return is_known(tool); }))
           continue;
@@ -221,7 +221,7 @@ class BeliefExpert {
     planned_at_ = belief_.news();
     auto scene = std::make_unique<Scene>(believed_before());
     KnownStart known = read_relations_of(*scene);
-    auto made = ExecutionTree::of(errand_.goal, *scene, errand_.knowledge, errand_.profile, std::move(known));
+    auto made = ExecutionTree::of(problem_.goal, *scene, problem_.knowledge, problem_.profile, std::move(known));
     if (!made) return false;
     auto tree = std::make_unique<ExecutionTree>(std::move(*made));
     ModeRules rules = rules_of(Mode::M2);
@@ -363,7 +363,7 @@ class BeliefExpert {
   /// The home as it was told, to see where one can stand and what can be opened.
   const World* told_world() {
     if (!told_world_) {
-      auto world = World::create(window_.told(), errand_.knowledge, errand_.profile);
+      auto world = World::create(window_.told(), problem_.knowledge, problem_.profile);
       if (!world) return nullptr;
       told_world_ = std::make_unique<World>(std::move(*world));
     }
@@ -379,7 +379,7 @@ class BeliefExpert {
     }
     const Node* place = belief_.find(look.id);
     if (!look.opens) return true;
-    const bool runs = errand_.profile.open_needs_power_off && place->states.has(Predicate::PowerOn);
+    const bool runs = problem_.profile.open_needs_power_off && place->states.has(Predicate::PowerOn);
     if (!runs && trial.step({ActionType::Open, {look.id}}).success) return true;
     order_.keep_shut(look.id);
     return false;
@@ -390,7 +390,7 @@ class BeliefExpert {
     const Action go{ActionType::GoTo, {look.id}};
     const bool here = at_ == look.id;
     if (look.room && look.before > 0) {
-      const double turns = std::max(1.0, std::round(90 / errand_.profile.turn_deg));
+      const double turns = std::max(1.0, std::round(90 / problem_.profile.turn_deg));
       std::vector<Action> way(static_cast<std::size_t>(turns), {ActionType::TurnLeft, {}});
       if (!here) way.insert(way.begin(), go);
       return way;
@@ -429,8 +429,10 @@ class BeliefExpert {
   bool look_there(const SearchOrder::Look& look) {
     const auto way = way_to_look(look);
     for (const Action& action : way) {
-      World trial = *told_world();
-      if (!trial.step(action).success) break;
+      if (const World* told = told_world()) {
+        World trial = *told;
+        if (!trial.step(action).success) break;
+      }
       if (!act(action)) return false;
       at_ = action.type == ActionType::GoTo ? action.args.front() : at_;
       if (action != way.back() && found_enough()) break;
@@ -443,7 +445,7 @@ class BeliefExpert {
     return true;
   }
 
-  const Errand& errand_;
+  const SearchProblem& problem_;
   Window& window_;
   SearchNeeds needs_;
   Profile profile_;
@@ -470,8 +472,8 @@ class BeliefExpert {
 
 }  // namespace
 
-std::optional<Trouble> reach_by_belief(const Errand& errand, Window& window) {
-  return BeliefExpert(errand, window).run();
+std::optional<Trouble> reach_by_belief(const SearchProblem& problem, Window& window) {
+  return BeliefExpert(problem, window).run();
 }
 
 }  // namespace unietp

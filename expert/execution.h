@@ -16,7 +16,7 @@ std::variant<std::vector<Action>, Rejection> find_plan(ExecutionTree& executions
 
 /// What was done and learned before a plan failed.
 struct ExecutedPrefix {
-  std::vector<Action> done;          // from the start; all of them succeed
+  std::vector<Action> done;          // from the start; all of them have to succeed, else there is no plan
   std::vector<std::string> avoided;  // ids of objects that could not be reached: others are used where possible
   bool clears = false;               // also carries out of the way what only may be in it
 };

@@ -57,8 +57,8 @@ std::variant<std::vector<Action>, Rejection> plan_of_who_knows(Mode mode, Execut
 /// What was done by belief, with `stop`; or why it is no demonstration.
 std::variant<std::vector<Action>, Trouble> done_by_belief(ExecutionTree& executions, const Household* usual) {
   EpisodeWindow window(executions);
-  const Errand errand{executions.goal(), executions.knowledge(), executions.profile(), usual};
-  if (auto why = reach_by_belief(errand, window)) return std::move(*why);
+  const SearchProblem problem{executions.goal(), executions.knowledge(), executions.profile(), usual};
+  if (auto why = reach_by_belief(problem, window)) return std::move(*why);
   if (!window.reaches_goal()) return Trouble{"done by what was seen, it does not reach the goal"};
   return window.done();
 }

@@ -2,8 +2,8 @@
 
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
-#include <set>
 
 #include <nlohmann/json.hpp>
 
@@ -91,7 +91,7 @@ class EpisodeWriter {
   Json openings() const {
     Json states = Json::object();
     for (const Node& node : start_.nodes) {
-      if (!node.openable || node.opening <= 0) continue;
+      if (!node.openable || node.opening <= 0 || !names_.contains(node.id)) continue;
       const auto joints = shape_of(node).joints;
       Json positions = Json::object();
       for (std::size_t i = 0; i < joints.size(); ++i) {

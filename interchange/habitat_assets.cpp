@@ -3,10 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
-#include <cstdio>
-#include <set>
-#include <string_view>
 
 #include <nlohmann/json.hpp>
 

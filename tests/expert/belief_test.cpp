@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "expert/belief_expert.h"
+#include "expert/execution.h"
 #include "expert/mode_expert.h"
 #include "expert/search_marks.h"
 #include "expert/search_needs.h"
@@ -83,6 +84,14 @@ TEST_P(Belief, LeadsToTheSameActionsInAWorldThatLooksTheSame) {
   const Witnessed other = in(*twin);
   EXPECT_TRUE(acted_alike(seen, other));
   EXPECT_LT(same_moments(seen, other), seen.moments.size()) << "the twin has to differ";
+}
+
+TEST_P(Belief, APlanIsRefusedWhoseBeginningDoesNotWork) {
+  auto executions = *ExecutionTree::of(wanted, start, knowledge, profile);
+  const std::vector<Action> impossible(40, {ActionType::PickUp, {"nothing_1"}});
+  const auto plan = find_plan_from(executions, {impossible, {}, false}, {});
+  ASSERT_TRUE(std::holds_alternative<Rejection>(plan));
+  EXPECT_EQ(std::get<Rejection>(plan).detail, "what was done does not fit what is believed of the home");
 }
 
 TEST_P(Belief, StepsThatOnlyServeToSeeAreMarkedAndNoOthers) {
