@@ -166,7 +166,7 @@ std::string main_screen() {
          "Commands:\n"
          "  make      generate, benchmark, training, merge\n"
          "  check     validate, audit, review\n"
-         "  look      stats, report, render, actions, schemas\n"
+         "  look      stats, report, render, shape, actions, schemas\n"
          "  convert   export, annotate\n"
          "  extend    template, knowledge, scene, goal, sense\n"
          "  act       play, serve, evaluate, compare\n"

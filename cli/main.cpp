@@ -10,6 +10,7 @@
 #include <string>
 
 #include "cli/command_parser.h"
+#include "cli/command_shape.h"
 #include "cli/commands.h"
 #include "cli/help_topics.h"
 #include "cli/output.h"
@@ -79,6 +80,7 @@ void add_commands(unietp::CommandParser& app, unietp::CommandLine& program) {
   unietp::add_knowledge_command(app, program);
   unietp::add_sense_command(app, program);
   unietp::add_scene_command(app, program);
+  unietp::add_shape_command(app, program);
   unietp::add_goal_command(app, program);
   unietp::add_actions_command(app, program);
   unietp::add_schemas_command(app, program);

@@ -22,7 +22,8 @@ struct Look {
   Colour filling = Colour::Zero();      // of what fills it
   Colour cover = Colour::Constant(-1);  // of what covers it; negative: nothing
 };
-Look look_of(const Node& node);
+/// `family`: the shape that it is seen as, or nullptr.
+Look look_of(const Node& node, const ShapeFamily* family = nullptr);
 
 /// A point of an object's surface.
 struct SurfacePoint {

@@ -14,11 +14,11 @@ bool is_window(const Node& node) {
 
 }  // namespace
 
-Look look_of(const Node& node) {
+Look look_of(const Node& node, const ShapeFamily* family) {
   Look look;
   const StateSet& states = node.states;
-  look.base = paint_of(node);
-  look.matter = matter_of(node);
+  look.base = paint_of(node, family);
+  look.matter = matter_of(node, family);
   look.device = device_of(node);
   look.seed = number_of(node.id);
   look.half = node.size / 2;

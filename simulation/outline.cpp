@@ -8,13 +8,17 @@ namespace {
 
 /// The camera's axes in a solid's frame.
 struct OwnCamera {
-  Vec3 ahead, right, down;
+  Vec3 ahead, right, down;             // as directions
+  Vec3 depth_of, across_of, along_of;  // as linear forms: depth, and meters to the right and down
   const Camera& camera;
 
   OwnCamera(const RayTarget& target, const Camera& eye)
       : ahead(target.to_own * eye.ahead),
         right(target.to_own * eye.right),
         down(target.to_own * eye.down),
+        depth_of(target.forms * eye.ahead),
+        across_of(target.forms * eye.right),
+        along_of(target.forms * eye.down),
         camera(eye) {}
 
   /// normal . (direction of the ray through a point of the image)
@@ -60,37 +64,48 @@ void add_sides(Outline& outline, const OwnCamera& own, const std::array<int, 3>&
   }
 }
 
-/// The point of a sphere or an upright cylinder, in its own frame, that lies farthest along a direction.
-Vec3 farthest_along(const RayTarget& target, const Vec3& direction) {
-  const double radius = target.half.x();
-  if (target.kind == Part::Kind::Sphere) return radius * direction.normalized();
-  const double level = direction.head<2>().norm();
-  const Vec2 aside = level > 0 ? Vec2(radius / level * direction.head<2>()) : Vec2(Vec2::Zero());
-  return {aside.x(), aside.y(), direction.z() < 0 ? -target.half.z() : target.half.z()};
+/// The range of an image coordinate, in pixels from the middle of the image.
+struct Range {
+  double low = kNever, high = -kNever;
+  void add(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  void add(const Range& other) {
+    low = std::min(low, other.low);
+    high = std::max(high, other.high);
+  }
+};
+
+/// What tangent planes through the camera bound of a ball (`whole`) or of a level disc around a point: the roots of
+/// (n . way)^2 = (radius |n|)^2, where n is the normal of the plane of an image coordinate and |n| that of its level
+/// part for a disc.
+Range tangents(const OwnCamera& own, const Vec3& side_of, const Vec3& way, double radius, bool whole) {
+  const Vec3 flat(1, 1, whole ? 1 : 0);
+  const Vec3 u = own.camera.focal * side_of.cwiseProduct(flat), d = own.depth_of.cwiseProduct(flat);
+  const double aside = own.camera.focal * side_of.dot(way), deep = own.depth_of.dot(way), square = radius * radius;
+  const double a = square * d.squaredNorm() - deep * deep, b = aside * deep - square * u.dot(d);
+  const double c = square * u.squaredNorm() - aside * aside;
+  if (!(a < 0)) return {-kNever, kNever};  // reaches beside the camera
+  const double root = std::sqrt(std::max(0.0, b * b - a * c));
+  return {(-b + root) / a, (-b - root) / a};
 }
 
-/// The image coordinate of the tangent plane of a sphere or cylinder along one axis, by bisection between that of the
-/// inside and that of its box. `side` is 1 for the right or lower end.
-double touched_at(Outline& outline, const OwnCamera& own, bool down, int side, double inner, double outer) {
-  constexpr int kHalvings = 12;  // to a fraction of a pixel; rounds outwards
-  const Vec3& axis = down ? own.down : own.right;
-  Vec3 touching = Vec3::Zero();
-  for (int i = 0; i < kHalvings; ++i) {
-    const double middle = (inner + outer) / 2;
-    const Vec3 normal = side * (own.camera.focal * axis - middle * own.ahead);
-    const Vec3 point = farthest_along(outline.target, normal);
-    if (normal.dot(point - outline.from) >= 0) {
-      inner = middle;
-      touching = point;
-    } else {
-      outer = middle;
-    }
+/// A round solid's range of an image coordinate.
+Range round_range(const Outline& outline, const OwnCamera& own, const Vec3& side_of) {
+  const RayTarget& target = outline.target;
+  const double radius = target.half.x();
+  if (target.kind == SolidKind::Sphere) return tangents(own, side_of, -outline.from, radius, true);
+  Range range;
+  for (const double end : {-1.0, 1.0}) {
+    const double wide = end < 0 ? target.low.x() : target.high.x();
+    range.add(tangents(own, side_of, Vec3(0, 0, end * target.half.z()) - outline.from, wide * radius, false));
   }
-  const Vec3 way = touching - outline.from;
-  const double pixels = own.camera.focal / way.dot(own.ahead);
-  outline.extremes[static_cast<std::size_t>((down ? 1 : 0) + (side > 0 ? 2 : 0))] =
-      Vec2(own.camera.width / 2.0 + pixels * way.dot(own.right), own.camera.height / 2.0 + pixels * way.dot(own.down));
-  return outer;
+  return range;
+}
+
+bool has_corners(SolidKind kind) {
+  return kind == SolidKind::Box || kind == SolidKind::Wedge || kind == SolidKind::Crate;
 }
 
 /// Sets the depth range and the pixels that it may cover, from its corners.
@@ -102,14 +117,16 @@ void bound(Outline& outline, const OwnCamera& own) {
   double left = kNever, top = kNever, right = -kNever, bottom = -kNever;
   auto& [leftmost, topmost, rightmost, lowest] = outline.extremes;
   for (int i = 0; i < 8; ++i) {
-    const Vec3 side((i & 1) ? 1 : -1, (i & 2) ? 1 : -1, (i & 4) ? 1 : -1);
-    const Vec3 way = side.cwiseProduct(outline.target.half) - outline.from;
-    const double depth = way.dot(own.ahead);
+    const RayTarget& target = outline.target;
+    const Vec2& wide = (i & 4) ? target.high : target.low;
+    const Vec3 side((i & 1) ? wide.x() : -wide.x(), (i & 2) ? wide.y() : -wide.y(), (i & 4) ? 1 : -1);
+    const Vec3 way = side.cwiseProduct(target.half) - outline.from;
+    const double depth = way.dot(own.depth_of);
     outline.nearest = std::min(outline.nearest, depth);
     outline.farthest = std::max(outline.farthest, depth);
     if (depth < kNear_m) continue;
-    const double x = camera.width / 2.0 + camera.focal * way.dot(own.right) / depth;
-    const double y = camera.height / 2.0 + camera.focal * way.dot(own.down) / depth;
+    const double x = camera.width / 2.0 + camera.focal * way.dot(own.across_of) / depth;
+    const double y = camera.height / 2.0 + camera.focal * way.dot(own.along_of) / depth;
     if (x < left) left = x, leftmost = {x, y};
     if (y < top) top = y, topmost = {x, y};
     if (x > right) right = x, rightmost = {x, y};
@@ -117,13 +134,14 @@ void bound(Outline& outline, const OwnCamera& own) {
   }
   outline.cover = {0, 0, camera.width - 1, camera.height - 1};
   if (outline.nearest < kNear_m) return;  // it reaches behind the camera
-  if (outline.round) {
+  if (!has_corners(outline.target.kind)) {
     const double across = camera.width / 2.0, along = camera.height / 2.0;
-    const double low_x = left - across, high_x = right - across, low_y = top - along, high_y = bottom - along;
-    left = across + touched_at(outline, own, false, -1, high_x, low_x);
-    right = across + touched_at(outline, own, false, 1, low_x, high_x);
-    top = along + touched_at(outline, own, true, -1, high_y, low_y);
-    bottom = along + touched_at(outline, own, true, 1, low_y, high_y);
+    const Range x = round_range(outline, own, own.across_of), y = round_range(outline, own, own.along_of);
+    left = std::max(left, across + x.low), right = std::min(right, across + x.high);
+    top = std::max(top, along + y.low), bottom = std::min(bottom, along + y.high);
+    leftmost.x() = left, rightmost.x() = right, topmost.y() = top, lowest.y() = bottom;
+    leftmost.y() = rightmost.y() = (top + bottom) / 2;
+    topmost.x() = lowest.x() = (left + right) / 2;
   }
   const auto clip = [](double value, int size) { return static_cast<int>(std::clamp(value, -1.0, size + 0.0)); };
   outline.cover = {std::max(0, clip(std::ceil(left - 0.5 - kSlack_pixels), camera.width)),
@@ -140,7 +158,7 @@ double Outline::depth_at(const Camera& camera, int x, int y) const {
 
 std::optional<Outline> outline_of(const Solid& solid, const Camera& camera) {
   Outline outline(solid, camera);
-  outline.round = solid.kind != Part::Kind::Box;
+  outline.round = solid.kind != SolidKind::Box;
   const OwnCamera own(outline.target, camera);
   bound(outline, own);
   const PixelBox& cover = outline.cover;

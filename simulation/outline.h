@@ -43,7 +43,7 @@ struct ManyOverImage {
   }
 };
 
-/// The projection of a solid, or of the box around a round one, onto an image. A box is convex, so it is visible
+/// The projection of a box, or of the box around another solid, onto an image. A box is convex, so it is visible
 /// exactly where none of its `sides` is negative, and there 1 / depth is the minimum of its `faces`.
 struct Outline {
   Outline(const Solid& solid, const Camera& camera)
@@ -52,7 +52,7 @@ struct Outline {
   PixelBox cover{};                  // bounds of the pixels that it may cover
   double nearest = 0, farthest = 0;  // depth, metres
   std::int32_t owner;
-  bool round = false;
+  bool round = false;  // no box: sides and faces are those of the box around it
   std::uint8_t side_count = 0, face_count = 0;
   ManyOverImage<4> faces;
   ManyOverImage<6> sides;

@@ -16,46 +16,6 @@ struct Named {
   std::array<double, 3> colour;
 };
 
-struct Material {
-  std::string_view name;
-  std::array<double, 3> colour;
-  Matter matter;
-};
-
-constexpr std::array<Named, 19> kColours{{{"white", {240, 239, 234}},
-                                          {"grey", {150, 150, 152}},
-                                          {"silver", {190, 195, 200}},
-                                          {"black", {52, 52, 56}},
-                                          {"clear", {196, 220, 228}},
-                                          {"transparent", {196, 220, 228}},
-                                          {"red", {196, 62, 54}},
-                                          {"green", {86, 150, 80}},
-                                          {"blue", {66, 112, 180}},
-                                          {"yellow", {230, 195, 70}},
-                                          {"orange", {226, 138, 56}},
-                                          {"brown", {136, 94, 60}},
-                                          {"pink", {226, 156, 176}},
-                                          {"purple", {132, 98, 164}},
-                                          {"beige", {222, 206, 174}},
-                                          {"gold", {208, 168, 64}},
-                                          {"tan", {200, 166, 122}},
-                                          {"turquoise", {80, 176, 170}},
-                                          {"olive", {132, 134, 72}}}};
-constexpr std::array<Material, 14> kMaterials{{{"plastic", {205, 205, 214}, Matter::Plastic},
-                                               {"metal", {172, 178, 186}, Matter::Metal},
-                                               {"glass", {190, 216, 226}, Matter::Glass},
-                                               {"wood", {176, 130, 84}, Matter::Wood},
-                                               {"fabric", {150, 158, 186}, Matter::Fabric},
-                                               {"paper", {238, 232, 212}, Matter::Paper},
-                                               {"ceramic", {236, 230, 222}, Matter::Ceramic},
-                                               {"leather", {120, 78, 54}, Matter::Leather},
-                                               {"stone", {160, 158, 152}, Matter::Stone},
-                                               {"cardboard", {190, 154, 108}, Matter::Cardboard},
-                                               {"rubber", {70, 70, 72}, Matter::Rubber},
-                                               {"wicker", {196, 162, 104}, Matter::Wicker},
-                                               {"wax", {240, 228, 190}, Matter::Wax},
-                                               {"foam", {232, 216, 150}, Matter::Foam}}};
-
 constexpr std::array<Named, 32> kSubstances{
     {{"coffee", {62, 38, 22}},    {"wine", {104, 18, 44}},       {"milk", {246, 244, 236}},
      {"cream", {246, 240, 222}},  {"tea", {150, 86, 34}},        {"juice", {238, 158, 44}},
@@ -69,13 +29,24 @@ constexpr std::array<Named, 32> kSubstances{
      {"snow", {244, 248, 252}},   {"flour", {244, 240, 230}},    {"sugar", {248, 246, 242}},
      {"mustard", {214, 170, 30}}, {"water", {116, 176, 224}}}};
 
-template <class Entry, std::size_t N>
-const Entry* named(const std::array<Entry, N>& table, std::string_view name) {
-  const auto found = std::find_if(table.begin(), table.end(), [&](const Entry& entry) { return entry.name == name; });
-  return found == table.end() ? nullptr : &*found;
-}
-
 Colour colour(const std::array<double, 3>& rgb) { return {rgb[0], rgb[1], rgb[2]}; }
+Colour colour(const Rgb& rgb) { return {1.0 * rgb[0], 1.0 * rgb[1], 1.0 * rgb[2]}; }
+
+/// Whether things of this material mostly have its own color.
+bool has_colour(Matter matter) {
+  switch (matter) {
+    case Matter::Metal:
+    case Matter::Glass:
+    case Matter::Wood:
+    case Matter::Leather:
+    case Matter::Stone:
+    case Matter::Cardboard:
+    case Matter::Wicker:
+      return true;
+    default:
+      return false;
+  }
+}
 
 /// Default colour of furniture by archetype.
 Colour plain_paint(const Node& node) {
@@ -105,18 +76,24 @@ Colour plain_paint(const Node& node) {
 
 }  // namespace
 
-Colour paint_of(const Node& node) {
-  const Named* known = named(kColours, node.colour);
-  const Material* material = named(kMaterials, node.material);
-  const Colour base = known != nullptr      ? colour(known->colour)
+Colour paint_of(const Node& node, const ShapeFamily* family) {
+  const Rgb* known = colour_named(node.colour);
+  const Material* material = material_named(node.material);
+  const bool telling = material != nullptr && has_colour(material->matter);
+  if (known == nullptr && !telling && family != nullptr) {
+    const std::string* usual = usual_colour(*family, number_of(node.id));
+    if (usual != nullptr) known = colour_named(*usual);
+  }
+  const Colour base = known != nullptr      ? colour(*known)
                       : material != nullptr ? colour(material->colour)
                                             : plain_paint(node);
   constexpr double kShade = 0.09;  // lightest against darkest
   return base * (1 - kShade / 2 + kShade * (number_of(node.id) % 16) / 15.0);
 }
 
-Matter matter_of(const Node& node) {
-  if (const Material* known = named(kMaterials, node.material)) return known->matter;
+Matter matter_of(const Node& node, const ShapeFamily* family) {
+  if (const Material* known = material_named(node.material)) return known->matter;
+  if (const Material* usual = family == nullptr ? nullptr : material_named(family->material)) return usual->matter;
   for (const Predicate state : {Predicate::Cooked, Predicate::Raw, Predicate::Whole, Predicate::Sliced}) {
     if (node.states.has(state)) return Matter::Food;
   }

@@ -1,38 +1,21 @@
 #pragma once
 
-#include <cstdint>
 #include <string_view>
 
 #include "scene/scene.h"
+#include "shapes/family.h"
 
 namespace unietp {
 
 /// Red, green and blue, 0 to 255, before shading.
 using Colour = Vec3;
 
-/// A node's colour: its own if known, else that of its material, else that of its archetype, slightly varied by id.
-Colour paint_of(const Node& node);
-/// What a surface is made of, as far as the eye can tell.
-enum class Matter : std::uint8_t {
-  Plain,
-  Plastic,
-  Metal,
-  Glass,
-  Wood,
-  Fabric,
-  Paper,
-  Ceramic,
-  Leather,
-  Stone,
-  Cardboard,
-  Rubber,
-  Wicker,
-  Wax,
-  Foam,
-  Food
-};
-/// Of the node's material; where that is not known, what things of its archetype or with its states are mostly made of.
-Matter matter_of(const Node& node);
+/// A node's colour: its own if known, else that of a material that has one color, else a usual one of its shape, else
+/// that of its material or archetype; slightly varied by id.
+Colour paint_of(const Node& node, const ShapeFamily* family = nullptr);
+/// Of the node's material; where that is not known, that of its shape, or what things of its archetype or with its
+/// states are mostly made of.
+Matter matter_of(const Node& node, const ShapeFamily* family = nullptr);
 /// Of what fills or covers an object, by words of its name: coffee brown, milk white. Others: a pale yellow.
 Colour substance_paint(std::string_view substance);
 

@@ -17,6 +17,9 @@ namespace {
 constexpr double kEverywhere_m = 1000;
 constexpr double kShadow_m = 0.8;  // longest shadow
 constexpr double kLamps_m = 9;     // farther lamps are not lit
+constexpr int kStep = 4;           // pixels between the first rays
+constexpr double kThin = 1.5 * kStep,
+                 kNear_m = 0.05;  // what is narrower (in pixels, at this depth or more) is looked for
 const Vec3 kSun = Vec3(0.35, 0.2, 0.9).normalized();
 
 /// What a pixel shows: a face of a solid, the floor, the ceiling or an opening.
@@ -39,7 +42,7 @@ class Painter {
           std::find_if(in_hand.begin(), in_hand.end(), [&](const Node& one) { return one.id == node.id; });
       const Node& shown = held == in_hand.end() ? node : *held;
       bodies_.push_back({shown.pose.rotation.toRotationMatrix().transpose(), shown.pose.position});
-      looks_.push_back(look_of(shown));
+      looks_.push_back(look_of(shown, family_of(shown, scene.simulator)));
     }
     sources_ = light_sources(scene, looks_, camera, kLamps_m);
   }
@@ -88,9 +91,38 @@ class Painter {
     spots_[index(x, y)] = look(x, y);
   }
 
+  /// Marks the squares that a thin solid crosses, which the rays at their corners may miss.
+  void mark_thin() {
+    const int across = (camera_.width + kStep - 1) / kStep, along = (camera_.height + kStep - 1) / kStep;
+    thin_.assign(static_cast<std::size_t>(across) * static_cast<std::size_t>(along), 0);
+    for (const Solid& solid : rays_.solids()) {
+      if (!solid.sheared) continue;
+      Vec3 lengths = solid.axes.colwise().norm();
+      Vec3::Index longest = 0;
+      lengths.maxCoeff(&longest);
+      lengths[longest] = 0;
+      const double depth = camera_.depth(solid.pose.position), wide = lengths.maxCoeff();
+      if (depth < kNear_m || 2 * wide * camera_.focal > kThin * depth) continue;
+      const auto from = camera_.pixel(solid.pose.position - solid.axes.col(longest));
+      const auto to = camera_.pixel(solid.pose.position + solid.axes.col(longest));
+      if (!from || !to) continue;
+      const int steps = 1 + static_cast<int>(std::min(2000.0, (*to - *from).cwiseAbs().maxCoeff()));
+      for (int i = 0; i <= steps; ++i) {
+        const Vec2 at = *from + (*to - *from) * i / steps;
+        if (at.x() < 0 || at.y() < 0 || at.x() >= camera_.width || at.y() >= camera_.height) continue;
+        thin_[static_cast<std::size_t>(static_cast<int>(at.y()) / kStep * across + static_cast<int>(at.x()) / kStep)] =
+            1;
+      }
+    }
+  }
+  bool crossed_by_thin(int x, int y) const {
+    const int across = (camera_.width + kStep - 1) / kStep;
+    return thin_[static_cast<std::size_t>(y / kStep * across + x / kStep)] != 0;
+  }
+
   /// Casts a ray through every fourth pixel and fills the squares between them.
   void find_spots() {
-    constexpr int kStep = 4;
+    mark_thin();
     const auto next = [](int at, int pixels) { return std::min(at + kStep, pixels - 1); };
     for (int y = 0; y < camera_.height - 1; y = next(y, camera_.height)) {
       for (int x = 0; x < camera_.width - 1; x = next(x, camera_.width))
@@ -104,7 +136,7 @@ class Painter {
     const Spot corner = spots_[index(x0, y0)];
     const bool even = corner.same_face(spots_[index(x1, y0)]) && corner.same_face(spots_[index(x0, y1)]) &&
                       corner.same_face(spots_[index(x1, y1)]);
-    if (!even) {
+    if (!even || crossed_by_thin(x0, y0)) {
       const int x = (x0 + x1) / 2, y = (y0 + y1) / 2;
       if (x > x0 || y > y0) {
         fill(x0, y0, std::max(x, x0 + 1), std::max(y, y0 + 1));
@@ -164,6 +196,29 @@ class Painter {
            Colour::Constant(150 * gloss * eight * eight + 34 * square * above);
   }
 
+  /// Whether a point of a door's front is on its handle.
+  static bool on_handle(const Solid& solid, const SurfacePoint& point) {
+    constexpr double kFromEdge_m = 0.05, kWide_m = 0.012, kLong_m = 0.11;
+    if (solid.handle == 0 || point.normal.y() > -0.7) return false;
+    const Vec3 half = solid.size / 2;
+    const double length = std::min(kLong_m, 0.6 * half.z());
+    if (solid.handle == 2)
+      return std::abs(point.at.x()) < std::min(kLong_m, 0.3 * half.x()) && std::abs(point.at.z()) < kWide_m;
+    return std::abs(point.at.x() - solid.handle * (half.x() - std::min(kFromEdge_m, half.x() / 4))) < kWide_m &&
+           std::abs(point.at.z()) < length;
+  }
+
+  static Look coated(Look look, const Solid& solid) {
+    if (solid.colour) {
+      const Rgb& rgb = *solid.colour;
+      look.base = Colour(rgb[0], rgb[1], rgb[2]);
+    } else {
+      look.base = (look.base * solid.shade).cwiseMin(250);
+    }
+    if (solid.matter) look.matter = *solid.matter;
+    return look;
+  }
+
   Finish finish_at(const Spot& spot, const Vec3& at, const Vec3& direction) {
     if (spot.solid == Spot::kOpen) return {kOpenPaint, 0, 0, true};
     if (spot.solid == Spot::kCeiling) return {kCeilingPaint};
@@ -176,7 +231,10 @@ class Painter {
     if (solid.owner < 0) return {wall_paint(at.z(), scene_.wall_height)};
     const auto owner = static_cast<std::size_t>(solid.owner);
     const Body& body = bodies_[owner];
-    const Look& look = looks_[owner];
+    const bool own = solid.colour || solid.matter || solid.shade != 1;
+    Look changed;
+    if (own) changed = coated(looks_[owner], solid);
+    const Look& look = own ? changed : looks_[owner];
     SurfacePoint point;
     point.skin = solid.skin;
     point.moves = solid.moves;
@@ -194,6 +252,7 @@ class Painter {
     Finish finish = finish_of(look, point);
     constexpr double kDoor = 0.93;  // doors are slightly darker than the body
     if (solid.moves && !finish.glows) finish.colour *= kDoor;
+    if (on_handle(solid, point)) finish = {{62, 62, 66}, 0.6};
     return finish;
   }
 
@@ -295,6 +354,7 @@ class Painter {
   std::vector<LightSource> sources_;
   std::vector<Spot> spots_;
   std::vector<std::uint8_t> known_;  // by pixel: whether its spot is known
+  std::vector<std::uint8_t> thin_;   // by square of kStep pixels: whether a thin solid crosses it
   std::vector<Eigen::Vector3f> lights_;
   const Room* room_ = nullptr;  // of the last floor pixel; neighbouring ones are mostly in the same
 };
@@ -366,7 +426,7 @@ Picture picture_of(const ViewedScene& viewed, const Profile& profile, Rays& rays
   const auto hidden = hidden_in(viewed);
   auto solids = solids_of(viewed.scene, camera, kEverywhere_m, hidden, true);
   const auto in_hand = held_before(viewed.scene, camera);
-  for (const Node& node : in_hand) add_shown(node, owner_of(viewed.scene, node.id), solids);
+  for (const Node& node : in_hand) add_shown(node, owner_of(viewed.scene, node.id), viewed.scene.simulator, solids);
   rays.build(std::move(solids));
   return Painter(viewed.scene, camera, rays, in_hand).paint(hidden);
 }

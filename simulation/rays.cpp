@@ -28,7 +28,7 @@ struct RayQuery {
 
 void bounds_of_solid(const RTCBoundsFunctionArguments* asked) {
   const RayTarget& solid = static_cast<const RayTarget*>(asked->geometryUserPtr)[asked->primID];
-  const Vec3 half = (solid.to_own.transpose().cwiseAbs() * solid.half).array() + kGrown_m;
+  const Vec3 half = (solid.forms.transpose().cwiseAbs() * solid.half).array() + kGrown_m;
   const Vec3 low = solid.centre - half, high = solid.centre + half;
   *asked->bounds_o = {static_cast<float>(low.x()),  static_cast<float>(low.y()),  static_cast<float>(low.z()),  0,
                       static_cast<float>(high.x()), static_cast<float>(high.y()), static_cast<float>(high.z()), 0};
@@ -118,8 +118,7 @@ std::optional<SolidHit> Rays::first(const Vec3& from, const Vec3& direction, dou
   rtcIntersect1(impl_->scene, &question.context, &ray);
   if (question.solid == std::numeric_limits<unsigned>::max()) return std::nullopt;
   const RayTarget& solid = impl_->ready[question.solid];
-  return SolidHit{question.along, question.solid,
-                  solid.to_own.transpose() * enter_from_w(solid, from, direction).normal};
+  return SolidHit{question.along, question.solid, solid.normal_in_w(enter_from_w(solid, from, direction).normal)};
 }
 
 }  // namespace unietp

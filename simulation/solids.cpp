@@ -1,12 +1,13 @@
 #include "simulation/solids.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <set>
 #include <string>
 #include <string_view>
 
+#include "scene/archetype_dimensions.h"
+#include "shapes/library.h"
+#include "simulation/noise.h"
 #include "simulation/relations.h"
 #include "simulation/shape.h"
 #include "simulation/state_solids.h"
@@ -15,36 +16,52 @@
 namespace unietp {
 namespace {
 
-/// Whether a node is drawn round: nearly square from above and without boards.
-bool is_round(const Node& node) {
-  constexpr double kLeast = 0.7;
-  if (!node.boards.empty() || (node.archetype != Archetype::Plate && node.archetype != Archetype::Vessel)) return false;
-  constexpr double kLargest_m = 0.5;  // larger ones are baskets and crates
-  const auto [least, most] = std::minmax(node.size.x(), node.size.y());
-  return least > kLeast * most && most < kLargest_m;
+void add_piece(const Piece& piece, const Node& node, std::int32_t owner, std::vector<Solid>& solids) {
+  const Eigen::Matrix3d to_w = node.pose.rotation.toRotationMatrix() * (node.size / 2).asDiagonal();
+  const bool straight = piece.low == Vec2::Ones() && piece.high == Vec2::Ones();
+  Solid solid;
+  switch (piece.kind) {
+    case PieceKind::Block:
+      solid.kind = straight ? SolidKind::Box : SolidKind::Wedge;
+      break;
+    case PieceKind::Drum:
+      solid.kind = straight ? SolidKind::Cylinder : SolidKind::Cone;
+      break;
+    case PieceKind::Ball:
+      solid.kind = SolidKind::Sphere;
+      break;
+    case PieceKind::Cup:
+      solid.kind = SolidKind::Cup;
+      break;
+    case PieceKind::Crate:
+      solid.kind = SolidKind::Crate;
+      break;
+  }
+  solid.pose = {node.pose.position + to_w * piece.centre, node.pose.rotation};
+  solid.size = piece.axes.cwiseAbs().rowwise().sum().cwiseProduct(node.size);
+  solid.owner = owner;
+  solid.sheared = true;
+  solid.axes = to_w * piece.axes;
+  solid.low = piece.low;
+  solid.high = piece.high;
+  solid.wall = piece.wall;
+  solid.floor = piece.floor;
+  solid.colour = piece.colour;
+  solid.shade = piece.shade;
+  solid.matter = piece.matter;
+  solid.screen = piece.screen;
+  solids.push_back(solid);
 }
 
-/// A disc, or a floor with a ring of boxes around it.
-std::vector<Part> round_parts(const Node& node) {
-  const double radius = std::min(node.size.x(), node.size.y()) / 2, height = node.size.z();
-  const auto disc = [&](double low, double high, double wide) {
-    return Part{Part::Kind::Cylinder,
-                {Vec3(0, 0, (low + high) / 2), Quat::Identity()},
-                Vec3(2 * wide, 2 * wide, high - low),
-                -1};
-  };
-  if (node.archetype == Archetype::Plate) return {disc(-height / 2, height / 2, radius)};
-  constexpr int kStaves = 12;
-  const double wall = std::clamp(0.07 * node.size.minCoeff(), 0.003, 0.012);
-  std::vector<Part> parts{disc(-height / 2, -height / 2 + wall, radius)};
-  const double middle = radius - wall / 2;
-  for (int i = 0; i < kStaves; ++i) {
-    const double angle = 2 * std::numbers::pi * i / kStaves;
-    const Quat turn(Eigen::AngleAxisd(angle, Vec3::UnitZ()));
-    const double wide = 2 * radius * std::tan(std::numbers::pi / kStaves);
-    parts.push_back({Part::Kind::Box, {turn * Vec3(middle, 0, 0), turn}, Vec3(wall, wide, height), -1});
+void add_archetype(const Node& node, std::int32_t owner, std::vector<Solid>& solids) {
+  const Shape shape = shape_of(node);
+  for (const Part& part : shape.parts) {
+    const Pose pose = node.pose * (joint_motion(shape, part.joint, node.opening) * part.pose);
+    solids.push_back({kind_of(part.kind), pose, part.size, owner, part.joint >= 0});
+    if (part.joint < 0) continue;
+    if (node.archetype == Archetype::Cabinet) solids.back().handle = part.joint == 0 ? 1 : -1;  // away from the hinge
+    if (node.archetype == Archetype::Drawers) solids.back().handle = 2;
   }
-  return parts;
 }
 
 }  // namespace
@@ -77,26 +94,29 @@ double sight_radius(const Node& node) {
   return node.opening > 0 ? node.size.norm() : node.size.norm() / 2;  // an open door may be as wide as the body
 }
 
-void add_solids(const Node& node, std::int32_t owner, std::vector<Solid>& solids) {
-  const Shape shape = shape_of(node);
-  for (const Part& part : shape.parts) {
-    const Pose pose = node.pose * (joint_motion(shape, part.joint, node.opening) * part.pose);
-    solids.push_back({part.kind, pose, part.size, owner, part.joint >= 0});
-  }
+const ShapeFamily* family_of(const Node& node, Simulator simulator) {
+  if (!node.boards.empty()) return nullptr;
+  return built_in_shapes().family_of(simulator, node.category, node.archetype);
 }
 
-void add_shown(const Node& node, std::int32_t owner, std::vector<Solid>& solids) {
-  const bool round = is_round(node);
-  if (round) {
-    for (const Part& part : round_parts(node)) solids.push_back({part.kind, node.pose * part.pose, part.size, owner});
-  } else {
-    add_solids(node, owner, solids);
+void add_solids(const Node& node, std::int32_t owner, Simulator simulator, std::vector<Solid>& solids) {
+  const ShapeFamily* family = family_of(node, simulator);
+  if (family != nullptr) {  // first, since of two equally near solids the first is seen
+    for (const Piece& piece : pieces_of(*family, {node.size, vessel_wall(node.size), number_of(node.id), node.states}))
+      add_piece(piece, node, owner, solids);
   }
-  add_state_solids(node, owner, round, solids);
+  if (family == nullptr || family->keeps_body) add_archetype(node, owner, solids);
+}
+
+void add_shown(const Node& node, std::int32_t owner, Simulator simulator, std::vector<Solid>& solids) {
+  const std::size_t first = solids.size();
+  add_solids(node, owner, simulator, solids);
+  const ShapeFamily* family = family_of(node, simulator);
+  add_state_solids(node, owner, first, family != nullptr && family->shows_open, solids);
 }
 
 std::vector<Solid> solids_of(const Scene& scene, const Camera& camera, double farthest,
-                             const std::vector<std::size_t>& hidden, bool rounded) {
+                             const std::vector<std::size_t>& hidden, bool states) {
   std::vector<Solid> solids;
   const auto matters = [&](const Vec3& centre, double radius) {
     return (centre - camera.at).norm() - radius <= farthest && camera.may_show(centre, radius);
@@ -106,11 +126,11 @@ std::vector<Solid> solids_of(const Scene& scene, const Camera& camera, double fa
     if (!matters(node.pose.position, sight_radius(node))) continue;
     if (std::binary_search(hidden.begin(), hidden.end(), i)) continue;
     const auto owner = static_cast<std::int32_t>(i);
-    rounded ? add_shown(node, owner, solids) : add_solids(node, owner, solids);
+    states ? add_shown(node, owner, scene.simulator, solids) : add_solids(node, owner, scene.simulator, solids);
   }
   for (const WallPiece& piece : walls_of(scene)) {
     if (matters(piece.pose.position, piece.size.norm() / 2))
-      solids.push_back({Part::Kind::Box, piece.pose, piece.size, -1, false});
+      solids.push_back({SolidKind::Box, piece.pose, piece.size, -1, false});
   }
   return solids;
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "scene/scene.h"
+#include "shapes/family.h"
 #include "simulation/camera.h"
 #include "simulation/rays.h"
 
@@ -16,15 +17,19 @@ std::vector<std::size_t> hidden_from_sight(const Scene& scene);
 /// Radius of a sphere around the centre of an object's box that contains all its parts, doors included.
 double sight_radius(const Node& node);
 
-/// Appends an object's solids as physics has them; `owner` is stored in each.
-void add_solids(const Node& node, std::int32_t owner, std::vector<Solid>& solids);
+/// The shape of an object for the eye; nullptr for those that look like their archetype or have boards.
+const ShapeFamily* family_of(const Node& node, Simulator simulator);
 
-/// The same for display: plates, mugs and bowls are round, and there is what shows states (state_solids.h).
-void add_shown(const Node& node, std::int32_t owner, std::vector<Solid>& solids);
+/// Appends the solids that an object is seen as: the pieces of its category's shape, or the parts of its archetype.
+/// `owner` is stored in each.
+void add_solids(const Node& node, std::int32_t owner, Simulator simulator, std::vector<Solid>& solids);
+
+/// The same, and what shows states (state_solids.h).
+void add_shown(const Node& node, std::int32_t owner, Simulator simulator, std::vector<Solid>& solids);
 
 /// The solids at most `farthest` metres away that an image of this camera may show: objects but the hidden ones, in
-/// order of the nodes, then walls. As in physics; or `rounded` for display (add_shown).
+/// order of the nodes, then walls. `states`: with what shows states.
 std::vector<Solid> solids_of(const Scene& scene, const Camera& camera, double farthest,
-                             const std::vector<std::size_t>& hidden, bool rounded = false);
+                             const std::vector<std::size_t>& hidden, bool states = false);
 
 }  // namespace unietp

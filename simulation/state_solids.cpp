@@ -15,12 +15,12 @@ class Extras {
   Extras(const Node& node, std::int32_t owner, std::vector<Solid>& solids)
       : half(node.size / 2), node_(node), owner_(owner), solids_(solids) {}
 
-  void add(Part::Kind kind, const Vec3& centre, const Vec3& size, Skin skin) {
+  void add(SolidKind kind, const Vec3& centre, const Vec3& size, Skin skin) {
     solids_.push_back({kind, node_.pose * Pose{centre, Quat::Identity()}, size, owner_, false, skin});
   }
-  void box(const Vec3& centre, const Vec3& size, Skin skin) { add(Part::Kind::Box, centre, size, skin); }
+  void box(const Vec3& centre, const Vec3& size, Skin skin) { add(SolidKind::Box, centre, size, skin); }
   void pillar(const Vec3& top, double length, double wide, Skin skin) {
-    add(Part::Kind::Cylinder, top - Vec3(0, 0, length / 2), {wide, wide, length}, skin);
+    add(SolidKind::Cylinder, top - Vec3(0, 0, length / 2), {wide, wide, length}, skin);
   }
   const Vec3 half;
 
@@ -30,18 +30,34 @@ class Extras {
   std::vector<Solid>& solids_;
 };
 
-void add_liquid(const Shape& shape, double level, bool round, Extras& extras) {
+/// The lower part of the hollow of a cup or crate.
+Solid filling_of(const Solid& vessel, double level) {
+  constexpr double kInside = 0.985;  // of the hollow's width
+  const double bottom = -1 + vessel.floor, top = bottom + level * (1 - bottom);
+  const Vec2 wall = Vec2::Constant(vessel.wall);
+  const Vec2 low = vessel.low + (vessel.high - vessel.low) * vessel.floor / 2 - wall, high = vessel.high - wall;
+  Solid filling = vessel;
+  filling.kind = vessel.kind == SolidKind::Cup ? SolidKind::Cone : SolidKind::Wedge;
+  filling.skin = Skin::Liquid;
+  filling.low = kInside * low;
+  filling.high = kInside * (low + level * (high - low));
+  filling.axes.col(2) *= (top - bottom) / 2;
+  filling.pose.position += (top + bottom) / 2 * vessel.axes.col(2);
+  filling.colour.reset();
+  filling.matter.reset();
+  return filling;
+}
+
+void add_liquid(const Shape& shape, double level, std::size_t first, std::vector<Solid>& solids, Extras& extras) {
+  for (std::size_t i = first; i < solids.size(); ++i) {
+    if (solids[i].kind != SolidKind::Cup && solids[i].kind != SolidKind::Crate) continue;
+    solids.push_back(filling_of(solids[i], level));
+    return;
+  }
   for (const Cavity& cavity : shape.cavities) {
     if (!cavity.open_above || cavity.joint >= 0) continue;
     const Vec3 size(2 * cavity.half.x(), 2 * cavity.half.y(), 2 * level * cavity.half.z());
-    const Vec3 centre = cavity.centre - Vec3(0, 0, cavity.half.z() * (1 - level));
-    constexpr double kRound = 1.02;  // of the hollow's width: up to the round wall
-    const double wide = kRound * std::min(size.x(), size.y());
-    if (round) {
-      extras.add(Part::Kind::Cylinder, centre, {wide, wide, size.z()}, Skin::Liquid);
-    } else {
-      extras.box(centre, size, Skin::Liquid);
-    }
+    extras.box(cavity.centre - Vec3(0, 0, cavity.half.z() * (1 - level)), size, Skin::Liquid);
   }
 }
 
@@ -90,9 +106,9 @@ void add_plug(bool in, Extras& extras) {
 void add_flame(Extras& extras) {
   const double wide = std::clamp(extras.half.head<2>().minCoeff(), 0.012, 0.05);
   const double top = extras.half.z();
-  extras.add(Part::Kind::Sphere, {0, 0, top + wide / 2}, Vec3::Constant(wide), Skin::Flame);
-  extras.add(Part::Kind::Sphere, {0, 0, top + 1.15 * wide}, Vec3::Constant(0.7 * wide), Skin::Flame);
-  extras.add(Part::Kind::Sphere, {0, 0, top + 1.6 * wide}, Vec3::Constant(0.4 * wide), Skin::Flame);
+  extras.add(SolidKind::Sphere, {0, 0, top + wide / 2}, Vec3::Constant(wide), Skin::Flame);
+  extras.add(SolidKind::Sphere, {0, 0, top + 1.15 * wide}, Vec3::Constant(0.7 * wide), Skin::Flame);
+  extras.add(SolidKind::Sphere, {0, 0, top + 1.6 * wide}, Vec3::Constant(0.4 * wide), Skin::Flame);
 }
 
 /// A dark mouth above, or in front of what is higher than it is wide, and the flap that was over it.
@@ -105,7 +121,8 @@ void add_mouth(Extras& extras) {
 
 }  // namespace
 
-void add_state_solids(const Node& node, std::int32_t owner, bool round, std::vector<Solid>& solids) {
+void add_state_solids(const Node& node, std::int32_t owner, std::size_t first, bool shows_open,
+                      std::vector<Solid>& solids) {
   const Look look = look_of(node);
   const bool taps = look.on && look.device == Device::Tap, open = node.states.has(Predicate::Open);
   if (look.level <= 0 && !taps && !open && !look.on && !node.states.has(Predicate::PluggedIn) &&
@@ -113,10 +130,12 @@ void add_state_solids(const Node& node, std::int32_t owner, bool round, std::vec
     return;
   Extras extras(node, owner, solids);
   const Shape shape = shape_of(node);
-  if (look.level > 0) add_liquid(shape, look.level, round, extras);
+  if (look.level > 0) add_liquid(shape, look.level, first, solids, extras);
   if (taps) add_water(node, shape, extras);
   if (look.on && look.device == Device::Flame) add_flame(extras);
-  if (open && shape.joints.empty()) add_mouth(extras);
+  const auto swings = [](const Solid& solid) { return solid.moves; };
+  const auto own = solids.begin() + static_cast<std::ptrdiff_t>(first);
+  if (open && !shows_open && std::none_of(own, solids.end(), swings)) add_mouth(extras);
   if (node.states.has(Predicate::PluggedIn)) add_plug(true, extras);
   if (node.states.has(Predicate::Unplugged)) add_plug(false, extras);
 }

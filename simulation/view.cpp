@@ -21,17 +21,19 @@ bool shows_clearly(const PixelBox& box) {
 }
 
 struct Viewer::Body {
+  std::string id;  // two objects of a category differ
   Archetype archetype = Archetype::Box;
   bool openable = false;
   Vec3 size = Vec3::Zero();
   Pose pose;
   double opening = 0;
   std::vector<Board> boards;
+  StateSet states;
   std::vector<Solid> solids;
 
   bool is_of(const Node& node) const {
     return pose == node.pose && opening == node.opening && size == node.size && archetype == node.archetype &&
-           openable == node.openable && boards == node.boards;
+           openable == node.openable && boards == node.boards && id == node.id && states == node.states;
   }
 };
 
@@ -100,7 +102,7 @@ struct Viewer::Walls {
   explicit Walls(const Scene& scene) {
     std::vector<Bounds> bounds;
     for (const WallPiece& piece : walls_of(scene)) {
-      all.push_back({Part::Kind::Box, piece.pose, piece.size, -1, false});
+      all.push_back({SolidKind::Box, piece.pose, piece.size, -1, false});
       bounds.push_back(bounds_of(piece.pose, piece.size));
     }
     Bounds around;
@@ -136,8 +138,8 @@ const std::shared_ptr<const Viewer::Body>& Viewer::body_of(const Scene& scene, s
   if (bodies_.size() < scene.nodes.size()) bodies_.resize(scene.nodes.size());
   if (bodies_[i] == nullptr || !bodies_[i]->is_of(node)) {
     auto body = std::make_shared<Body>();
-    *body = {node.archetype, node.openable, node.size, node.pose, node.opening, node.boards, {}};
-    add_solids(node, static_cast<std::int32_t>(i), body->solids);
+    *body = {node.id, node.archetype, node.openable, node.size, node.pose, node.opening, node.boards, node.states, {}};
+    add_solids(node, static_cast<std::int32_t>(i), scene.simulator, body->solids);
     bodies_[i] = std::move(body);
   }
   return bodies_[i];
@@ -200,11 +202,19 @@ std::vector<VisibleObject> Viewer::view(const ViewedScene& around, const Agent& 
     see(i, look->asked, same_eye ? &last_->asked : nullptr);
     farthest = std::max(farthest, distance + sight_radius(scene.nodes[i]));
   }
-  // Objects behind all requested ones hide nothing.
+  // Objects behind or beside all requested ones hide nothing.
+  const auto may_hide_asked = [&](const Node& node) {
+    const Ball ball(node.pose.position, sight_radius(node), camera);
+    return std::any_of(look->asked.begin(), look->asked.end(), [&](const CachedView::Seen& seen) {
+      if (!meet(ball.cover, seen.cover)) return false;
+      const auto own = std::span(look->outlines).subspan(seen.begin, seen.end - seen.begin);
+      return std::any_of(own.begin(), own.end(), [&](const Outline& one) { return ball.nearest <= one.farthest; });
+    });
+  };
   for (const std::size_t i : around.shown_within(camera, farthest)) {
     const Node& node = scene.nodes[i];
     const double distance = (node.pose.position - camera.at).norm();
-    if (distance > sight_m && distance - sight_radius(node) <= farthest && shown(i))
+    if (distance > sight_m && distance - sight_radius(node) <= farthest && shown(i) && may_hide_asked(node))
       see(i, look->others, same_eye ? &last_->others : nullptr);
   }
   walls_->add_outlines(camera, farthest, look->outlines);

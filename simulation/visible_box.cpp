@@ -45,6 +45,7 @@ Coverage coverage_of(const Outline& outline, const PixelBox& part, const PartOfI
       if (share.farthest == kNever) break;
     }
     share.whole = share.farthest < kNever;
+    if (share.whole && outline.target.hollow()) share.farthest = outline.farthest + kSlack;  // deeper between them
   }
   return share;
 }

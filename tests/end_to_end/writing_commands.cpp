@@ -75,6 +75,7 @@ std::vector<WritingCommand> writing_commands() {
       {"render view", "render data habitat-00001 --step 1 --out out.png", "out.png"},
       {"altered plans", "validate data --altered-plans out.jsonl", "out.jsonl"},
       {"compare", "compare run-replay run-stop --out out", "out"},
+      {"shape show", "shape show mug --out out.png", "out.png"},
       {"scene show", "scene show home.scene.json.gz --out out.svg", "out.svg"},
       {"scene export", "scene export habitat home.scene.json.gz --out out.json", "out.json"},
       {"knowledge build", "knowledge build --out out", "out", true},

@@ -11,6 +11,9 @@ namespace unietp::fuzz {
 bool sexpr_body(std::string_view text);
 bool formula_body(std::string_view text);
 
+/// A file of families of shapes, and after a line `====` the table of their categories.
+bool shapes_body(std::string_view text);
+
 bool csv_body(std::string_view text);
 /// The five tables of one simulator, one after the other, with a line `====` between them.
 bool tables_body(std::string_view text);

@@ -1,4 +1,4 @@
-// docs/limits.md lists every bound of core/limits.h and core/evaluation_limits.h with its value.
+// docs/limits.md lists every bound of core/limits.h, core/evaluation_limits.h and core/shape_limits.h with its value.
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -32,8 +32,9 @@ double value_of(std::string expression, const std::map<std::string, double>& kno
 
 std::map<std::string, double> bounds_of_header() {
   std::map<std::string, double> bounds;
-  const auto text =
-      *read_file(kCheckout / "core" / "limits.h") + *read_file(kCheckout / "core" / "evaluation_limits.h");
+  const auto text = *read_file(kCheckout / "core" / "limits.h") +
+                    *read_file(kCheckout / "core" / "evaluation_limits.h") +
+                    *read_file(kCheckout / "core" / "shape_limits.h");
   for (const auto& line : split(text, '\n')) {
     if (!line.starts_with("inline constexpr ")) continue;
     std::string list = line.substr(0, line.find(';'));

@@ -303,9 +303,9 @@ TEST(Rays, MeetSolidsWhereTheFormulasSay) {
   Rays rays;
   EXPECT_FALSE(rays.first({0, 0, 0}, {1, 0, 0}, 10)) << "nothing was built";
   const Pose turned{Vec3(5, 0, 0), Quat(Eigen::AngleAxisd(std::acos(-1) / 4, Vec3::UnitZ()))};
-  rays.build({{Part::Kind::Box, turned, Vec3(1, 1, 1), 0},
-              {Part::Kind::Sphere, {Vec3(0, 4, 0), Quat::Identity()}, Vec3(2, 2, 2), 1},
-              {Part::Kind::Cylinder, {Vec3(0, 0, -3), Quat::Identity()}, Vec3(1, 1, 2), 2}});
+  rays.build({{SolidKind::Box, turned, Vec3(1, 1, 1), 0},
+              {SolidKind::Sphere, {Vec3(0, 4, 0), Quat::Identity()}, Vec3(2, 2, 2), 1},
+              {SolidKind::Cylinder, {Vec3(0, 0, -3), Quat::Identity()}, Vec3(1, 1, 2), 2}});
   const auto box = rays.first({0, 0, 0}, {1, 0, 0}, 10), ball = rays.first({0, 0, 0}, {0, 2, 0}, 10);
   const auto cap = rays.first({0.2, 0, 0}, {0, 0, -1}, 10), side = rays.first({-3, 0, -3}, {1, 0, 0}, 10);
   ASSERT_TRUE(box && ball && cap && side);

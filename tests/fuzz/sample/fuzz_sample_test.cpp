@@ -30,6 +30,7 @@ void PrintTo(const Parser& parser, std::ostream* out) { *out << parser.name; }
 constexpr Parser kParsers[] = {{"sexpr", fuzz::sexpr_body, nullptr},
                                {"formula", fuzz::formula_body, nullptr},
                                {"csv", fuzz::csv_body, nullptr},
+                               {"shapes", fuzz::shapes_body, nullptr},
                                {"tables", fuzz::tables_body, nullptr},
                                {"override", fuzz::override_body, nullptr},
                                {"gzip", fuzz::gzip_body, nullptr},

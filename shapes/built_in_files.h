@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+namespace unietp {
+
+/// A file that the program contains (shapes/CMakeLists.txt).
+struct BuiltInFile {
+  std::string_view name, text;
+};
+
+/// The files of data/shapes, by name; categories.csv last.
+std::vector<BuiltInFile> built_in_shape_files();
+
+}  // namespace unietp

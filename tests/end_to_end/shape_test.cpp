@@ -1,0 +1,43 @@
+// `unietp shape`: lists, draws and checks families of shapes.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/files.h"
+#include "data_set.h"
+
+namespace unietp {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(ShapeCommand, ListsAndDrawsFamiliesAndAnswersAnUnknownOneWithTheNearest) {
+  const ScratchFolder folder;
+  const auto listed = run_program({"shape", "list"});
+  EXPECT_EQ(listed.code, 0);
+  EXPECT_THAT(listed.out, HasSubstr("\nmug "));
+  const auto shown = run_program({"shape", "show", "mug", "--out", folder.at("mug.png")});
+  ASSERT_EQ(shown.code, 0) << shown.err;
+  const auto other = run_program({"shape", "show", "bottle", "--out", folder.at("bottle.png")});
+  ASSERT_EQ(other.code, 0) << other.err;
+  EXPECT_EQ(read_file(folder.at("mug.png"))->substr(1, 3), "PNG");
+  EXPECT_NE(*read_file(folder.at("mug.png")), *read_file(folder.at("bottle.png")));
+  const auto unknown = run_program({"shape", "show", "mgu", "--out", folder.at("no.png")});
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("mug"));
+}
+
+TEST(ShapeCommand, LintsFilesWithLineAndColumnAndTheBuiltInShapesWithAllSizes) {
+  const ScratchFolder folder;
+  ASSERT_TRUE(write_file(folder.at("good.shapes"), "(family a (means \"a\") (ball -1 1 -1 1 -1 1))\n"));
+  ASSERT_TRUE(write_file(folder.at("bad.shapes"), "(family a (means \"a\")\n (bal -1 1 -1 1 -1 1))\n"));
+  EXPECT_EQ(run_program({"shape", "lint", folder.at("good.shapes")}).code, 0);
+  const auto bad = run_program({"shape", "lint", folder.at("bad.shapes")});
+  EXPECT_EQ(bad.code, 2);
+  EXPECT_THAT(bad.err, HasSubstr("bad.shapes:2:2: parse error: expected a part; did you mean \"ball\"?"));
+  const auto built_in = run_program({"shape", "lint"});
+  EXPECT_EQ(built_in.code, 0) << built_in.err;
+  EXPECT_THAT(built_in.out, HasSubstr("behavior"));
+}
+
+}  // namespace
+}  // namespace unietp
