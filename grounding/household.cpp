@@ -14,6 +14,10 @@ constexpr std::array<std::string_view, 8> kPassing{"oven",       "microwave", "t
                                                    "dishwasher", "sink",      "bathtub", "washer"};
 constexpr double kInPassing = 0.15;  // of the weight of such a place
 
+// Where things are put away.
+constexpr std::array<std::string_view, 5> kStorage{"cabinet", "drawer", "shelf", "dresser", "wardrobe"};
+constexpr double kUsualRoom = 0.25;  // least value of in_room() of a room where such things usually are
+
 constexpr double kTolerable = 0.08;  // weight of all tolerable places of a category together; the usual ones have 1
 constexpr double kUnspoken = 0.02;   // share of a state that nobody spoke of
 
@@ -78,6 +82,13 @@ double Household::in_room(std::string_view category, std::string_view room) cons
   if (kind == rooms_.end()) return 1;
   const auto suits = kind->second.find(room);
   return suits == kind->second.end() ? 1 : suits->second;
+}
+
+bool Household::keeps(std::string_view category, std::string_view receptacle, std::string_view room) const {
+  const auto kind = kind_of(receptacle);
+  const bool stores = std::any_of(kStorage.begin(), kStorage.end(),
+                                  [&](std::string_view storage) { return kinds_.is_a(kind, storage); });
+  return in_room(category, room) >= (stores ? kUsualRoom : kNoRoom);
 }
 
 std::string_view Household::kind_of(std::string_view category) const {

@@ -38,6 +38,10 @@ class Household {
   /// (`kNoRoom`). 1 for what has no kind.
   double in_room(std::string_view category, std::string_view room) const;
   static constexpr double kNoRoom = 0.0144;
+  /// Whether things of the category are kept on or in a receptacle that stands in such a room. What stands about is in
+  /// any room that suits it at times; into cabinets, drawers and shelves it goes only in rooms where it usually is, so
+  /// no shampoo into the cabinet of a living room.
+  bool keeps(std::string_view category, std::string_view receptacle, std::string_view room) const;
   /// The share of things of the category that are in a state at a place; a little when nobody spoke of it. `receptacle`
   /// "": wherever it is.
   double share(std::string_view category, Predicate relation, std::string_view receptacle, const State& state) const;
