@@ -1,9 +1,14 @@
+#include <algorithm>
 #include <cstdio>
+#include <iterator>
+#include <map>
 #include <memory>
 
+#include "authoring/usual_categories.h"
 #include "cli/command_parser.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
+#include "core/text.h"
 #include "report/figure_table.h"
 #include "report/word_figures.h"
 
@@ -13,7 +18,7 @@ namespace {
 struct StatsOptions {
   std::vector<std::filesystem::path> folders;
   int threads = 1, rows = 25;
-  bool json = false, words = false;
+  bool json = false, words = false, usual = false;
 };
 
 /// The figures of how the instructions ask for things, beside those of people.
@@ -32,8 +37,40 @@ Exit word_stats(const StatsOptions& options, const CommandLine& program) {
   return Exit::Ok;
 }
 
+/// Of the categories that some usual goal could be about, how many the goals of each set name, and which they do not.
+Exit usual_stats(const StatsOptions& options, const CommandLine& program) {
+  const auto reading = load_resources(program.folders);
+  if (!reading.errors.empty()) return refuse(reading.errors);
+  const Resources& resources = reading.resources;
+  std::vector<const Knowledge*> knowledge;
+  for (const auto simulator : kSimulators) knowledge.push_back(&resources.backend(simulator).knowledge);
+  std::map<std::string, std::vector<std::string>> usual;
+  for (const auto simulator : kSimulators)
+    usual[std::string(name_of(simulator))] = categories_with_usual_goals(resources, simulator);
+  for (const auto& folder : options.folders) {
+    const auto set = read_finished_set(folder);
+    if (!set) return refuse(set.error());
+    const auto statistics = statistics_of_set(*set, knowledge, options.threads);
+    if (!statistics) return refuse(statistics.error());
+    std::printf("%s\n", statistics->name.c_str());
+    for (const GoalThings& things : statistics->things) {
+      const auto& all = usual[things.simulator];
+      std::vector<std::string> missing;
+      std::copy_if(all.begin(), all.end(), std::back_inserter(missing),
+                   [&](const std::string& name) { return !things.named.contains(name); });
+      const auto named = all.size() - missing.size();
+      const double share = all.empty() ? 0 : static_cast<double>(named) / static_cast<double>(all.size());
+      std::printf("  %s: %zu of %zu categories with usual goals are in a goal (%s)\n", things.simulator.c_str(), named,
+                  all.size(), percent_text(share).c_str());
+      if (!missing.empty()) std::printf("    not: %s\n", join(missing, " ").c_str());
+    }
+  }
+  return Exit::Ok;
+}
+
 Exit stats(const StatsOptions& options, const CommandLine& program) {
   if (options.words) return word_stats(options, program);
+  if (options.usual) return usual_stats(options, program);
   const auto known = load_backends(program.folders);
   if (!known.errors.empty()) return refuse(known.errors);
   std::vector<const Knowledge*> knowledge;
@@ -64,11 +101,14 @@ void add_stats_command(CommandParser& app, CommandLine& program) {
        {"unietp stats out/benchmark out/training", "side by side"},
        {"unietp stats out/mine --rows 200", "longer tables"},
        {"unietp stats out/mine --words", "how its instructions ask, beside how people do"},
+       {"unietp stats out/training --usual", "which categories could be in a goal that makes sense, but are in none"},
        {"unietp stats out/mine --json > statistics.json", ""}});
   command->add_option("FOLDER", options->folders, "Finished data sets")->required()->folder();
   command->add_option("--rows", options->rows, "Rows of the longest table")->within(1, 1000000)->shows_default();
   add_threads_option(*command, options->threads, program);
   command->add_flag("--words", options->words, "Print how instructions ask for things, beside goals that people wrote");
+  command->add_flag("--usual", options->usual,
+                    "Print how many of the categories with usual goals are in a goal, and the others (a minute)");
   command->add_flag("--json", options->json, "Print JSON with all rows");
   command->callback([options, &program] { program.exit = stats(*options, program); });
 }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 
 #include "generator/consistency.h"
 #include "generator/goal_variable.h"
@@ -55,6 +56,21 @@ std::vector<std::vector<std::string>> choices_first(const std::vector<const Alia
   return all;
 }
 
+/// Where things are put away, washed or thrown away. Who says what they are up to wants what they need for it at hand.
+constexpr std::array<std::string_view, 9> kPutAway{"cabinet",    "drawer", "wardrobe", "dresser",  "storage_box",
+                                                   "dishwasher", "washer", "hamper",   "trash_can"};
+
+bool is_put_away(const GoalVariable& variable, const Specification& plain, const Knowledge& knowledge) {
+  const auto asked = predicates_of(plain.goal, variable.variable);
+  if (std::find(asked.begin(), asked.end(), Predicate::Inside) == asked.end()) return false;
+  return std::any_of(plain.binding.begin(), plain.binding.end(), [&](const auto& pair) {
+    const auto* other = pair.second == variable.category ? nullptr : knowledge.find(pair.second);
+    return other != nullptr && std::any_of(other->kinds.begin(), other->kinds.end(), [](const std::string& kind) {
+             return std::find(kPutAway.begin(), kPutAway.end(), kind) != kPutAway.end();
+           });
+  });
+}
+
 }  // namespace
 
 AliasKind phrases_of(Style style) {
@@ -76,6 +92,7 @@ std::optional<Specification> refine_by_phrase(const Specification& plain, const 
                                               Rng rng) {
   std::vector<std::string> choices;
   for (const auto& variable : singular_variables(plain.goal)) {
+    if (style == Style::Context && is_put_away(variable, plain, knowledge)) continue;
     const auto* category = knowledge.find(variable.category);
     if (category != nullptr && (category->movable || style != Style::Function)) choices.push_back(variable.category);
   }

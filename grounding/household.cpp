@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kInPassing = 0.15;  // of the weight of a place that things only pass through
 
+constexpr double kUsualRoom = 0.25;  // least value of in_room() of a room where such things usually are
 constexpr double kTolerable = 0.08;  // weight of all tolerable places of a category together; the usual ones have 1
 constexpr double kUnspoken = 0.02;   // share of a state that nobody spoke of
 
@@ -25,7 +26,10 @@ Household::Household(const Knowledge& knowledge, const CommonSense& sense, Start
   for (const Category& category : knowledge.categories())
     room_types.insert(category.rooms.begin(), category.rooms.end());
   for (const Category& category : knowledge.categories()) {
-    if (const auto* fact = sense.kind_of(knowledge.simulator(), category.name)) kind_[category.name] = fact->kind;
+    if (const auto* fact = sense.kind_of(knowledge.simulator(), category.name)) {
+      kind_[category.name] = fact->kind;
+      if (sense.used_for(fact->kind, PlaceUse::PutAway)) put_away_.insert(category.name);
+    }
     if (!category.movable) continue;
     if (const auto kind = kind_of(category.name); !kind.empty() && !rooms_.contains(kind)) {
       auto& suits = rooms_[std::string(kind)];
@@ -74,6 +78,10 @@ double Household::in_room(std::string_view category, std::string_view room) cons
   if (kind == rooms_.end()) return 1;
   const auto suits = kind->second.find(room);
   return suits == kind->second.end() ? 1 : suits->second;
+}
+
+bool Household::keeps(std::string_view category, std::string_view receptacle, std::string_view room) const {
+  return in_room(category, room) >= (put_away_.contains(receptacle) ? kUsualRoom : kNoRoom);
 }
 
 std::string_view Household::kind_of(std::string_view category) const {

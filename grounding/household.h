@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -38,6 +39,9 @@ class Household {
   /// (`kNoRoom`). 1 for what has no kind.
   double in_room(std::string_view category, std::string_view room) const;
   static constexpr double kNoRoom = 0.0144;
+  /// Whether things of the category are kept on or in a receptacle that stands in such a room. What stands about is in
+  /// any room that suits it at times; into places of PlaceUse::PutAway it goes only in rooms where it usually is.
+  bool keeps(std::string_view category, std::string_view receptacle, std::string_view room) const;
   /// The share of things of the category that are in a state at a place; a little when nobody spoke of it. `receptacle`
   /// "": wherever it is.
   double share(std::string_view category, Predicate relation, std::string_view receptacle, const State& state) const;
@@ -55,6 +59,7 @@ class Household {
   StartStates states_;
   std::vector<std::pair<std::string, std::string>> apart_;  // kinds
   std::map<std::string, std::string, std::less<>> kind_;    // by category
+  std::set<std::string, std::less<>> put_away_;             // receptacles of PlaceUse::PutAway
   std::map<std::string, std::vector<Place>, std::less<>> places_;
   std::map<std::string, std::map<std::string, double, std::less<>>, std::less<>> rooms_;  // by kind, then type of room
 };

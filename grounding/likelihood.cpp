@@ -57,6 +57,8 @@ double likelihood_of_place(const Workspace& workspace, const Node& node, Predica
   if (household == nullptr || household->places_of(node.category).empty()) return 1;
   const auto* place = household->place(node.category, relation, workspace.scene().nodes[host].category);
   const Room* room = workspace.room_of(host);
+  const auto& receptacle = workspace.scene().nodes[host].category;
+  if (room != nullptr && !household->keeps(node.category, receptacle, room->type)) return kLeastPlace;
   const double suits = room == nullptr ? 1 : household->in_room(node.category, room->type);
   return std::max(kLeastPlace, (place == nullptr ? 0 : place->weight) * suits);
 }
@@ -104,7 +106,8 @@ Oddness oddness_of(const Workspace& workspace, const Node& node, std::string* re
     const Node& there = workspace.scene().nodes[host];
     const auto at = std::string(info(relation).name) + " " + there.id;
     const auto* place = household->place(node.category, relation, there.category);
-    if (place == nullptr) return odd(at + ", where nobody keeps such things");
+    const bool kept = where.room == nullptr || household->keeps(node.category, there.category, where.room->type);
+    if (place == nullptr || !kept) return odd(at + ", where nobody keeps such things");
     if (some_usual && !place->usual) worst = Oddness::Unusual;
     if (const auto state = rare_state(*household, node, relation, there.category))
       return odd(std::string(info(state->predicate).name) + " " + at + ", as hardly anything is there");

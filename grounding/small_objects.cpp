@@ -181,7 +181,7 @@ class Scatterer {
       }
       for (const Predicate relation : {Predicate::On, Predicate::Inside}) {
         for (const Placement* placement : workspace_.knowledge().placements_of(request.category->name, relation))
-          add_hosts(room, placement->receptacle, relation, placement->likelihood, hosts);
+          add_hosts(room, request.category->name, placement->receptacle, relation, placement->likelihood, hosts);
       }
     }
     return hosts;
@@ -205,13 +205,20 @@ class Scatterer {
         std::none_of(places.begin(), places.end(), [&](const auto& one) { return is_usual(one) && is_here(one); }))
       return;
     const double here = request.room ? 1 : in_room(room, *request.category);
-    for (const auto& place : places) add_hosts(room, place.receptacle, place.relation, place.weight * here, hosts);
+    const auto& name = request.category->name;
+    for (const auto& place : places)
+      add_hosts(room, name, place.receptacle, place.relation, place.weight * here, hosts);
   }
 
-  void add_hosts(std::size_t room, const std::string& receptacle, Predicate relation, double likelihood,
-                 std::vector<Host>& hosts) const {
+  bool keeps(std::size_t room, const std::string& category, const std::string& receptacle) const {
+    const auto* household = workspace_.household();
+    return household == nullptr || household->keeps(category, receptacle, workspace_.scene().rooms[room].type);
+  }
+
+  void add_hosts(std::size_t room, const std::string& category, const std::string& receptacle, Predicate relation,
+                 double likelihood, std::vector<Host>& hosts) const {
     const auto there = rooms_[room].find(receptacle);
-    if (likelihood <= 0 || there == rooms_[room].end()) return;
+    if (likelihood <= 0 || there == rooms_[room].end() || !keeps(room, category, receptacle)) return;
     const auto usual = recipe_.held.find(receptacle);
     const double mean = usual == recipe_.held.end() ? kHeldByOthers : usual->second;
     for (const std::size_t node : there->second) {
@@ -259,6 +266,7 @@ std::vector<Host> hosts_for(const Workspace& workspace, const Node& object) {
   const auto suits = [&](std::size_t node) {
     if (household == nullptr) return workspace.is_in(node, usual_here) ? kUsualRoomFactor : 1;
     const Room* room = workspace.room_of(node);
+    if (room != nullptr && !household->keeps(object.category, nodes[node].category, room->type)) return kLeastSuits;
     return std::max(kLeastSuits, room == nullptr ? 1 : household->in_room(object.category, room->type));
   };
   for (const auto& [name, receptacle] : receptacles) {

@@ -229,6 +229,46 @@ FigureTable coverage(Sets sets) {
   return made;
 }
 
+FigureTable things(Sets sets) {
+  auto made = table("things", "Things of goals",
+                    "Objects that the demonstrations in M1 act on and that the goal names: how many were in the home "
+                    "before its start was made, and how many where they are. Movable categories that goals name, and "
+                    "which is named most; of the 30 commonest in the homes, those that no goal names.",
+                    "simulator", sets, "");
+  std::set<std::string> simulators;
+  for (const auto& set : sets) {
+    for (const auto& one : set.things) simulators.insert(one.simulator);
+  }
+  const auto row = [&](const std::string& simulator, const std::string& what,
+                       const std::function<std::string(const GoalThings&)>& value) {
+    add_row(made, sets, simulator + ", " + what, [&](const DatasetStatistics& set) {
+      for (const auto& one : set.things) {
+        if (one.simulator == simulator) return value(one);
+      }
+      return std::string("–");
+    });
+  };
+  const auto share = [](int part, int all) {
+    return all == 0 ? std::string("–") : percent_text(static_cast<double>(part) / all);
+  };
+  for (const auto& simulator : simulators) {
+    row(simulator, "objects", [](const auto& one) { return count_text(one.objects); });
+    row(simulator, "in the home before", [&](const auto& one) { return share(one.objects - one.added, one.objects); });
+    row(simulator, "where they were",
+        [&](const auto& one) { return share(one.objects - one.added - one.moved, one.objects); });
+    row(simulator, "movable categories", [](const auto& one) {
+      return count_text(static_cast<int>(one.categories.size())) + " of " + count_text(one.movable);
+    });
+    row(simulator, "named most", [&](const auto& one) {
+      const auto name = one.most_named();
+      return name.empty() ? std::string("–") : share(one.categories.at(name), one.tasks) + ", " + name;
+    });
+    row(simulator, "common in homes, in no goal",
+        [](const auto& one) { return one.common_unused.empty() ? std::string("0") : join(one.common_unused, ", "); });
+  }
+  return made;
+}
+
 FigureTable homes(Sets sets) {
   auto made = table("homes", "Homes", "Each home at the start of its first task.", "", sets, "");
   add_row(made, sets, "homes", [](const auto& set) { return count_text(set.homes); });
@@ -301,7 +341,7 @@ std::vector<FigureTable> tables_of(Sets sets) {
             "Parts of goals for which any of several categories serves, by what these are called.", "phrase", sets,
             "tasks"),
       sets, [](const auto& set) { return set.alternatives; }, true));
-  for (auto make : {plan_lengths, actions, causes, funnel, coverage, homes, balance}) all.push_back(make(sets));
+  for (auto make : {plan_lengths, actions, causes, funnel, coverage, things, homes, balance}) all.push_back(make(sets));
   return all;
 }
 

@@ -47,7 +47,7 @@ std::string phrase_for(const std::vector<std::string>& serving, const Knowledge&
 struct HomeFigures {
   std::string layout, simulator;
   int rooms = 0, objects = 0;
-  std::set<std::string> categories;
+  std::map<std::string, int> categories;  // objects of each
 };
 
 /// Adds up what the tasks and the rejections of a data set have.
@@ -65,6 +65,7 @@ class Counter {
     ++statistics_.writers[task.writer];
     ++funnel_[task.template_name].accepted;
     handled_[task.simulator].insert(task.categories.begin(), task.categories.end());
+    things_[task.simulator].add(task.things);
     homes_.emplace(task.layout, FirstTask{task.id});
     for (const auto& name : task.goal.operators) ++statistics_.operators[name];
     for (const auto& name : task.goal.predicates) ++statistics_.predicates[name];
@@ -91,7 +92,7 @@ class Counter {
     ++statistics_.homes;
     statistics_.rooms.add(home.rooms);
     statistics_.objects.add(home.objects);
-    in_homes_[home.simulator].insert(home.categories.begin(), home.categories.end());
+    for (const auto& [category, objects] : home.categories) in_homes_[home.simulator][category] += objects;
   }
 
   std::size_t homes() const { return homes_.size(); }
@@ -104,6 +105,7 @@ class Counter {
     }
     for (const Knowledge* base : knowledge) {
       add_coverage(*base);
+      add_things(*base);
       for (const auto& [serving, tasks] : alternatives_[std::string(name_of(base->simulator()))])
         statistics_.alternatives[phrase_for(serving, *base)] += tasks;
     }
@@ -134,7 +136,8 @@ class Counter {
 
   void add_coverage(const Knowledge& base) {
     const std::string simulator(name_of(base.simulator()));
-    const auto &handled = handled_[simulator], &in_homes = in_homes_[simulator];
+    const auto& handled = handled_[simulator];
+    const auto& in_homes = in_homes_[simulator];
     if (handled.empty() && in_homes.empty()) return;
     CategoryCoverage coverage{simulator, static_cast<int>(base.categories().size())};
     for (const auto& category : base.categories()) {
@@ -145,11 +148,23 @@ class Counter {
     statistics_.coverage.push_back(coverage);
   }
 
+  void add_things(const Knowledge& base) {
+    const std::string simulator(name_of(base.simulator()));
+    const auto found = things_.find(simulator);
+    if (found == things_.end()) return;
+    GoalThings& things = found->second;
+    things.simulator = simulator;
+    things.finish(base, in_homes_[simulator]);
+    statistics_.things.push_back(std::move(things));
+  }
+
   DatasetStatistics& statistics_;
   std::map<std::string, FirstTask> homes_;
   std::map<std::string, FunnelRow> funnel_;
   std::map<std::string, std::map<std::vector<std::string>, int>> alternatives_;  // tasks, by simulator and categories
-  std::map<std::string, std::set<std::string>> handled_, in_homes_;              // categories, by simulator
+  std::map<std::string, std::set<std::string>> handled_;                         // categories, by simulator
+  std::map<std::string, std::map<std::string, int>> in_homes_;                   // objects, by simulator and category
+  std::map<std::string, GoalThings> things_;                                     // by simulator
   std::set<std::string> function_words_;                                         // that occurred
 };
 
@@ -191,7 +206,7 @@ Result<Done> count_homes(const FinishedSet& set, int threads, Counter& counter) 
                          static_cast<int>(start->rooms.size()),
                          static_cast<int>(start->nodes.size()),
                          {}};
-        for (const Node& node : start->nodes) home.categories.insert(node.category);
+        for (const Node& node : start->nodes) ++home.categories[node.category];
         return Home(std::move(home));
       },
       [&](Home&& home) -> Result<Done> {

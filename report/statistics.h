@@ -68,6 +68,7 @@ struct DatasetStatistics {
   std::map<std::string, int> failed_steps;        // by mode
   std::vector<FunnelRow> funnel;                  // templates with candidates, in order of name
   std::vector<CategoryCoverage> coverage;         // simulators that have tasks, in the order of kSimulators
+  std::vector<GoalThings> things;                 // likewise
   int homes = 0;
   Histogram rooms, objects;        // per home, in the start of its first task; movable and fixed objects
   std::vector<Evenness> evenness;  // in order of dimension's name

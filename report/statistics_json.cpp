@@ -37,6 +37,15 @@ Json to_json(const DatasetStatistics& set) {
   for (const auto& one : set.coverage)
     coverage.push_back(
         {{"simulator", one.simulator}, {"known", one.known}, {"handled", one.handled}, {"in_homes", one.in_homes}});
+  Json things = Json::array();
+  for (const GoalThings& one : set.things)
+    things.push_back({{"simulator", one.simulator},
+                      {"objects", one.objects},
+                      {"added", one.added},
+                      {"moved", one.moved},
+                      {"categories", to_json(one.categories)},
+                      {"movable", one.movable},
+                      {"common_unused", one.common_unused}});
   Json balance = Json::array();
   for (const Evenness& even : set.evenness)
     balance.push_back({{"dimension", even.dimension},
@@ -64,6 +73,7 @@ Json to_json(const DatasetStatistics& set) {
           {"plans", std::move(plans)},
           {"funnel", std::move(funnel)},
           {"categories", std::move(coverage)},
+          {"things", std::move(things)},
           {"homes", {{"count", set.homes}, {"rooms", to_json(set.rooms)}, {"objects", to_json(set.objects)}}},
           {"balance", std::move(balance)}};
 }

@@ -76,6 +76,7 @@ TaskFigures figures_of(const FinishedTask& task) {
   add_alternatives(record.goal_tree, figures.alternatives);
   for (const auto& [placeholder, category] : record.bindings) figures.categories.push_back(category);
   for (const auto& [mode, shown] : task.shown) figures.plans[mode] = plan_of(shown);
+  figures.things = goal_things_of(task);
   return figures;
 }
 

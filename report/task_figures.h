@@ -7,6 +7,7 @@
 
 #include "record/dataset_reader.h"
 #include "report/formula_census.h"
+#include "report/goal_things.h"
 
 namespace unietp {
 
@@ -28,6 +29,7 @@ struct TaskFigures {
   std::vector<std::vector<std::string>> alternatives;
   FormulaCensus goal;
   std::map<Mode, Plan> plans;  // of the demonstrations that were read
+  TaskGoalThings things = {};
 };
 
 /// Deterministic.

@@ -18,8 +18,8 @@ bool rooms_suit(const Formula& goal, const Layout& layout, const Household& hous
   const Home& home = layout.home;
   const auto suits = [&](const std::string& category, std::size_t node) {
     const auto room = home.rooms[node];
-    return room < 0 ||
-           household.in_room(category, home.scene.rooms[static_cast<std::size_t>(room)].type) >= Household::kNoRoom;
+    return room < 0 || household.keeps(category, home.scene.nodes[node].category,
+                                       home.scene.rooms[static_cast<std::size_t>(room)].type);
   };
   for (const auto& [category, places] : goal_places(goal)) {
     for (const std::string& place : places) {

@@ -9,6 +9,7 @@ namespace unietp {
 namespace {
 
 constexpr double kUsual = 0.5, kTolerable = 0.12;        // least score of each grade
+constexpr double kMostOfTolerable = 0.49;                // of what a person did not judge usual
 constexpr std::array<double, 3> kStart{0.02, 0.3, 1.0};  // by grade
 constexpr double kUnjudged = 0.05, kNeutral = 0.3;       // at the root; for what nobody asks about
 constexpr double kUsualShare = 0.08, kMostWritten = 15, kPrior = 20;
@@ -93,7 +94,19 @@ double CommonSense::score(const std::string& kind, const Role& role) const {
                        : root           ? (is_neutral(role) ? kNeutral : kUnjudged)
                                         : score(known->parent, role);
   // The root and the kinds below it are too wide for what people write of one thing to say something of another.
-  return root || kinds_.lineage(kind).size() <= 2 ? start : moved(kind, role, start, grade);
+  if (root || kinds_.lineage(kind).size() <= 2) return start;
+  const double value = moved(kind, role, start, grade);
+  const bool refused = grade != nullptr && *grade == Grade::Senseless;
+  return value >= kUsual && (refused || is_judged_tolerable(kind, role)) ? kMostOfTolerable : value;
+}
+
+bool CommonSense::is_judged_tolerable(const std::string& kind, const Role& role) const {
+  for (const Kind* each : kinds_.lineage(kind)) {
+    if (kinds_.lineage(each->name).size() <= 2) return false;
+    const auto judged = judgments_.find({each->name, role});
+    if (judged != judgments_.end()) return judged->second == Grade::Tolerable;
+  }
+  return false;
 }
 
 double CommonSense::moved(const std::string& kind, const Role& role, double start, const Grade* judged) const {
@@ -117,6 +130,7 @@ bool CommonSense::meets(const SenseRule& rule, const Thing& thing) const {
   for (const auto& kind : rule.except) {
     if (kinds_.is_a(thing.kind, kind)) return false;
   }
+  if (!rule.words.empty()) return rule.words.contains(normal_word(thing.words));
   if (!rule.thing.starts_with(kMaterialMark)) return kinds_.is_a(thing.kind, rule.thing);
   const auto of = rule.thing.substr(kMaterialMark.size());
   return !thing.materials.empty() && std::all_of(thing.materials.begin(), thing.materials.end(),
@@ -229,6 +243,11 @@ bool CommonSense::has_rule_on(std::string_view material) const {
   return std::any_of(rules_.begin(), rules_.end(), [&](const SenseRule& rule) {
     return rule.thing.starts_with(kMaterialMark) && rule.thing.substr(kMaterialMark.size()) == material;
   });
+}
+
+bool CommonSense::has_rule_on_name(std::string_view words) const {
+  const auto word = normal_word(words);
+  return std::any_of(rules_.begin(), rules_.end(), [&](const SenseRule& rule) { return rule.words.contains(word); });
 }
 
 const SenseRule* CommonSense::broken(const Thing& thing, const Role& role) const {

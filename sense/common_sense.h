@@ -48,8 +48,10 @@ struct Thing {
 /// score = (n * e + 20 * start) / (n + 20), where n is what was written in all, at most 15, and e is share / 0.08, at
 /// most 0.9 for places and 0.75 for what is done. Of a rise from below 0.12, 0.6 are kept, and 0.5 against a judgment.
 /// That a role was not written of a kind counts only against a judgment of that very kind, and only when the sources
-/// speak of that role at all. A place of a wide kind, such as a cabinet in any room, is as good for a thing as the best
-/// of its narrower kinds. docs/sense.md says where the numbers come from.
+/// speak of that role at all. What a person judged tolerable of the kind, or of the nearest wider one that was judged,
+/// is never usual: that people wrote of a thing somewhere does not make it the place where one expects it. A place of a
+/// wide kind, such as a cabinet in any room, is as good for a thing as the best of its narrower kinds. docs/sense.md
+/// says where the numbers come from.
 class CommonSense {
  public:
   CommonSense(Kinds kinds, CategoryKinds categories, Judgments judgments, std::vector<SenseRule> rules,
@@ -73,8 +75,9 @@ class CommonSense {
   Sense near(const Thing& thing, const Thing& landmark) const;
   /// True when the thing is at home on or in a place or machine, so that opening this one may be for its sake.
   bool belongs(const Thing& thing, const std::string& place) const;
-  /// True when some rule looks at this material.
+  /// True when some rule looks at this material, or speaks of things of this name.
   bool has_rule_on(std::string_view material) const;
+  bool has_rule_on_name(std::string_view words) const;
   /// The kinds that a rule keeps apart, in the order of the rules: nothing of the first is at one place with something
   /// of the second.
   std::vector<std::pair<std::string, std::string>> kept_apart() const;
@@ -89,6 +92,7 @@ class CommonSense {
   double score(const std::string& kind, const Role& role) const;
   Role best_place(const std::string& kind, const Role& role) const;
   double moved(const std::string& kind, const Role& role, double start, const Grade* judged) const;
+  bool is_judged_tolerable(const std::string& kind, const Role& role) const;
   Sense graded(const Thing& thing, const Role& role) const;
   Sense beside(const Thing& thing, const Role& role, const std::string& other) const;
   std::vector<std::string> reasons_for(const Thing& thing, const Role& role) const;

@@ -4,12 +4,13 @@
 
 #include "akb/row_reader.h"
 #include "core/text.h"
+#include "sense/word_kinds.h"
 
 namespace unietp {
 namespace {
 
 constexpr std::array<std::string_view, 3> kGradeNames{"senseless", "tolerable", "usual"};
-constexpr std::string_view kMaterial = "material:";
+constexpr std::string_view kMaterial = "material:", kWords = "words:";
 
 std::string kind_in(RowReader& row, std::string_view column, const Kinds& kinds) {
   auto kind = row.required(column);
@@ -73,7 +74,14 @@ std::vector<SenseRule> read_sense_rules(const std::filesystem::path& path, const
     SenseRule rule{row.required("name"),  row.one_of("form", {"role", "together"}, "form") == "together",
                    row.required("thing"), row.list("except"),
                    row.required("other"), row.required("reason")};
-    if (!rule.thing.starts_with(kMaterial)) kind_in(row, "thing", kinds);
+    if (rule.thing.starts_with(kWords)) {
+      for (const auto& word : split(rule.thing.substr(kWords.size()), '|')) {
+        if (word != normal_word(word)) row.fail("thing", "'" + word + "' is no name; expected one such as 'paper_bag'");
+        rule.words.insert(word);
+      }
+    } else if (!rule.thing.starts_with(kMaterial)) {
+      kind_in(row, "thing", kinds);
+    }
     if (rule.together) kind_in(row, "other", kinds);
     for (const auto& kind : rule.except) {
       if (kinds.find(kind) == nullptr) row.fail("except", "'" + kind + "' is not a kind of kinds.csv");

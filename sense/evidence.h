@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -55,10 +56,11 @@ Judgments read_judgments(const std::filesystem::path& path, const Kinds& kinds, 
 struct SenseRule {
   std::string name;
   bool together = false;  // true: `thing` and `other` at one place; false: `thing` in the role `other`
-  std::string thing;      // a kind, or `material:metal`
+  std::string thing;      // a kind, `material:metal`, or `words:` with names of things as in words.csv, split by |
   std::vector<std::string> except;
   std::string other;  // a kind; or a role, where a final * stands for any ending
   std::string reason;
+  std::set<std::string, std::less<>> words = {};  // of `words:`
 };
 /// Reads rules.csv (name,form,thing,except,other,reason). Errors are appended.
 std::vector<SenseRule> read_sense_rules(const std::filesystem::path& path, const Kinds& kinds,

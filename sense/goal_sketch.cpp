@@ -34,7 +34,7 @@ void fill_in(std::string& name, std::span<const GoalSketch::Bound> bound, const 
 
 struct PieceGrades::Table {
   std::shared_ptr<const SenseTables> tables;
-  std::unordered_map<std::string, std::size_t> alike;  // category -> number of all of its kind and materials
+  std::unordered_map<std::string, std::size_t> alike;  // category -> number of all that are graded like it
   std::shared_mutex mutex;
   std::unordered_map<std::string, Grade> grades;  // by piece; never iterated
 
@@ -49,6 +49,7 @@ struct PieceGrades::Table {
       const bool alone =
           !of.empty() && std::all_of(of.begin(), of.end(), [&](const auto& one) { return one == of[0]; });
       if (alone && sense.has_rule_on(of[0])) looks += "\n" + of[0];
+      if (sense.has_rule_on_name(category.display)) looks += "\n\n" + category.display;
       alike[category.name] = numbers.try_emplace(looks, numbers.size()).first->second;
     }
   }

@@ -17,10 +17,11 @@ enum class PlaceUse {
   Storage,      // things are kept there, so they are not cleared away from it
   DirtyThings,  // dirty things go there to be washed or thrown away
   DirtyOrNot,   // the same, and they may also go there while the place itself is dirty
+  PutAway,      // things go there only in rooms where they usually are: no shampoo in the cabinet of a living room
   Passing,      // tasks put things there, but nobody keeps them there: food waits in an oven only while it is cooked
 };
 inline constexpr std::array kPlaceUses{PlaceUse::Storage, PlaceUse::DirtyThings, PlaceUse::DirtyOrNot,
-                                       PlaceUse::Passing};
+                                       PlaceUse::PutAway, PlaceUse::Passing};
 std::string_view name_of(PlaceUse use);
 
 /// The kinds of places that have each use. Read only after loading.

@@ -28,8 +28,8 @@ Sense graded(const Thing& thing, Predicate relation, const Thing& place, const C
   return relation == Predicate::NextTo ? worse_of(std::move(own), sense.together(thing, place)) : own;
 }
 
-/// What a grade depends on.
-using Question = std::tuple<std::string, std::vector<std::string>, Role>;  // kind, materials, role
+/// What a grade depends on: kind, name where a rule speaks of it, materials, role.
+using Question = std::tuple<std::string, std::string, std::vector<std::string>, Role>;
 struct Answer {
   Grade grade = Grade::Tolerable;
   double score = 0;
@@ -78,7 +78,8 @@ UsualPlaces::UsualPlaces(const Knowledge& knowledge, const CommonSense& sense) {
     const auto &thing = things.find(placement.object)->second, &place = things.find(placement.receptacle)->second;
     if (thing.kind.empty() || place.kind.empty()) continue;
     const auto role = role_of(placement.relation, place.kind, sense.kinds());
-    const auto [answer, first] = answers.try_emplace({thing.kind, thing.materials, role});
+    const auto name = sense.has_rule_on_name(thing.words) ? thing.words : std::string();
+    const auto [answer, first] = answers.try_emplace({thing.kind, name, thing.materials, role});
     if (first) {
       const auto graded = sense.grade(thing, role);
       answer->second = {graded.grade, graded.score};

@@ -113,10 +113,12 @@ TEST_P(CommittedTables, WhatGoesInsideIsSmallerThanWhatHoldsItAndFitsTheRoomTher
   }
 }
 
-// Places on dishes and in bags count: raw meat stands on one piece of furniture that makes sense, a counter. Chests and
-// what sweeps and unclogs stand on the floor, which no table of places has.
+// Places on dishes and in bags count: raw meat stands on one piece of furniture that makes sense, a counter, and a raw
+// egg without its shell on none. Chests and what sweeps and unclogs stand on the floor, which no table of places has.
 TEST_P(CommittedTables, EveryMovableHasThreePlaces) {
-  const std::set<std::string> on_floors{"Plunger", "ScrubBrush", "broom", "carpet_sweeper", "cedar_chest", "vacuum"};
+  const std::set<std::string> on_floors{"Plunger", "ScrubBrush", "broom", "carpet_sweeper", "cedar_chest", "magazine_rack",
+                                        "vacuum"};
+  const std::set<std::string> on_dishes{"EggCracked", "raw_egg"};
   for (const auto& c : tables.categories) {
     if (!c.movable || on_floors.contains(c.name)) continue;
     int places = 0, on_furniture = 0;
@@ -126,7 +128,7 @@ TEST_P(CommittedTables, EveryMovableHasThreePlaces) {
       on_furniture += furniture(p.receptacle) ? 1 : 0;
     }
     EXPECT_GE(places, 3) << c.name;
-    EXPECT_GE(on_furniture, 1) << c.name;
+    EXPECT_GE(on_furniture, on_dishes.contains(c.name) ? 0 : 1) << c.name;
   }
 }
 

@@ -93,6 +93,11 @@ TEST(Household, SaysWhichRoomsSuitThings) {
   EXPECT_GE(household.in_room("mug", "office"), Household::kNoRoom);
   EXPECT_LT(household.in_room("mug", "office"), household.in_room("mug", "kitchen"));
   EXPECT_EQ(household.in_room("no such category", "kitchen"), 1);
+  // It stands about where it is used at times, but is put away where it usually is.
+  EXPECT_TRUE(household.keeps("hardback", "coffee_table", "kitchen"));
+  EXPECT_FALSE(household.keeps("hardback", "bottom_cabinet", "kitchen"));
+  EXPECT_TRUE(household.keeps("hardback", "bottom_cabinet", "living_room"));
+  EXPECT_FALSE(household.keeps("plate", "breakfast_table", "bathroom"));
 }
 
 TEST(Homes, HaveNoFoodWhereNobodyKeepsIt) {

@@ -168,10 +168,50 @@ TEST(Statistics, CountHomesOnceAndGoalsByTask) {
   EXPECT_EQ(statistics.plan_lengths.at("M1").counts, (std::map<int, int>{{2, 3}}));
   EXPECT_EQ(statistics.actions.at("M1"), (Tally{{"open", 3}, {"stop", 3}}));
   EXPECT_EQ(statistics.failed_steps.at("M1"), 3);
-  ASSERT_EQ(statistics.coverage.size(), 1U);  // nothing of the other simulator
+  ASSERT_EQ(statistics.things.size(), 1U);
+  EXPECT_EQ(statistics.things[0].objects, 3);  // the mug that each opens
+  ASSERT_EQ(statistics.coverage.size(), 1U);   // nothing of the other simulator
   EXPECT_EQ(statistics.coverage[0].known, 3);
   EXPECT_EQ(statistics.coverage[0].handled, 1);
   EXPECT_EQ(statistics.coverage[0].in_homes, 2);
+}
+
+/// A task that opened one mug and picked up another one and a bowl; the start added the first and moved the bowl.
+FinishedTask with_edits() {
+  FinishedTask task;
+  task.record.goal_tree =
+      *parse_formula("goal", "(exists (?a - Mug) (exists (?b - Bowl) (at-end (next_to ?a ?b))))", FormulaUse::Goal);
+  task.record.edits = {"added Mug mug_4 on counter_top_1, dirty", "moved bowl_2 on counter_top_1",
+                       "made plate_1 dirty"};
+  auto& steps = task.shown[Mode::M1].steps;
+  for (const char* id : {"mug_4", "mug_7", "bowl_2", "counter_top_1", "mug_7"})
+    steps.push_back({{"go_to", {{id, std::nullopt}}}, true, "", "", {}, {}});
+  return task;
+}
+
+TEST(GoalThings, AreWhatTheDemonstrationActsOnAndTheGoalNames) {
+  const auto things = goal_things_of(with_edits());
+  EXPECT_EQ(things.categories, (std::set<std::string>{"Bowl", "Mug"}));
+  EXPECT_EQ(things.objects, 3);  // two mugs and the bowl; the countertop is not in the goal
+  EXPECT_EQ(things.added, 1);
+  EXPECT_EQ(things.moved, 1);
+}
+
+TEST(GoalThings, OfASimulatorSayWhatIsNamedMostAndWhatIsCommonButInNoGoal) {
+  auto mug = category("Mug"), bowl = category("Bowl"), plate = category("Plate"), sink = category("Sink");
+  mug.movable = bowl.movable = plate.movable = true;
+  sink.movable = false;
+  const Knowledge knowledge(Simulator::Ai2thor, {bowl, mug, plate, sink}, {}, {}, {}, {});
+  GoalThings things;
+  things.add({{"Mug", "Sink"}, 2, 1, 0});
+  things.add({{"Bowl", "Mug"}, 2, 0, 1});
+  things.finish(knowledge, {{"Mug", 3}, {"Plate", 9}, {"Sink", 20}});
+  EXPECT_EQ(things.tasks, 2);
+  EXPECT_EQ(things.objects, 4);
+  EXPECT_EQ(things.movable, 3);
+  EXPECT_EQ(things.categories, (Tally{{"Bowl", 1}, {"Mug", 2}}));
+  EXPECT_EQ(things.most_named(), "Mug");
+  EXPECT_THAT(things.common_unused, ElementsAre("Plate"));
 }
 
 TEST(Statistics, EvennessAndTheFunnelAreOfTheCandidates) {

@@ -32,7 +32,7 @@ CommonSense small(const std::vector<Evidence>& evidence, Judgments judgments = {
 }
 
 TEST(CommonSense, SpeaksOfPairsThatNobodyWroteDownByTheWiderKind) {
-  const auto sense = small({{"meat", "in:bowl", 20, "dinner", "test"}}, {{{"food", "in:bowl"}, Grade::Tolerable}});
+  const auto sense = small({{"meat", "in:bowl", 20, "dinner", "test"}}, {{{"movable", "in:bowl"}, Grade::Tolerable}});
   EXPECT_EQ(sense.grade({"meat", "meat", {}}, "in:bowl").grade, Grade::Usual);
   // Nobody wrote of fruit: food in general decides, which the meat has made usual.
   EXPECT_EQ(sense.grade({"fruit", "fruit", {}}, "in:bowl").grade, Grade::Usual);
@@ -47,6 +47,25 @@ TEST(CommonSense, WhatWasWrittenMovesAJudgment) {
   EXPECT_EQ(sense.grade, Grade::Tolerable);
   EXPECT_THAT(sense.reasons, Contains(HasSubstr("fruit salad")));
   EXPECT_THAT(sense.reasons, Contains(HasSubstr("judged senseless")));
+}
+
+TEST(CommonSense, WhatAPersonJudgedTolerableIsNeverUsual) {
+  const std::vector<Evidence> written{{"meat", "in:bowl", 50, "dinner", "test"}};
+  const auto sense = small(written, {{{"food", "in:bowl"}, Grade::Tolerable}});
+  for (const std::string kind : {"food", "meat"})
+    EXPECT_EQ(sense.grade({kind, kind, {}}, "in:bowl").grade, Grade::Tolerable) << kind;
+  // A judgment of the narrower kind comes first.
+  const auto narrower = small(written, {{{"food", "in:bowl"}, Grade::Tolerable}, {{"meat", "in:bowl"}, Grade::Usual}});
+  EXPECT_EQ(narrower.grade({"meat", "meat", {}}, "in:bowl").grade, Grade::Usual);
+}
+
+TEST(CommonSense, ARuleMaySpeakOfThingsByTheirNames) {
+  const SenseRule rule{"runny", false, "words:cracked_egg|yolk", {}, "in:*", "it runs over", {"cracked_egg", "yolk"}};
+  const auto sense = small({}, {{{"food", "in:bowl"}, Grade::Usual}}, {rule});
+  EXPECT_EQ(sense.grade({"food", "cracked egg", {}}, "in:bowl").grade, Grade::Senseless);
+  EXPECT_EQ(sense.grade({"food", "egg", {}}, "in:bowl").grade, Grade::Usual);
+  EXPECT_TRUE(sense.has_rule_on_name("cracked egg"));
+  EXPECT_FALSE(sense.has_rule_on_name("egg"));
 }
 
 TEST(CommonSense, NoEvidenceOverridesARule) {

@@ -30,13 +30,15 @@ TEST(PlaceUses, AreThoseOfTheirKindAndOfWiderOnes) {
   EXPECT_TRUE(sense.used_for("kitchen_cabinet", PlaceUse::Storage));
   EXPECT_FALSE(sense.used_for("no_kind_at_all", PlaceUse::Storage));
   EXPECT_FALSE(sense.used_for("oven", PlaceUse::Storage));
+  EXPECT_TRUE(sense.used_for("shelf", PlaceUse::PutAway));
+  EXPECT_FALSE(sense.used_for("fridge", PlaceUse::PutAway));
   EXPECT_TRUE(sense.used_for("oven", PlaceUse::Passing));
   EXPECT_TRUE(sense.used_for("counter", PlaceUse::DirtyThings));
   EXPECT_FALSE(sense.used_for("counter", PlaceUse::DirtyOrNot));
 }
 
 TEST(PlaceUses, AFaultyRowIsReportedWithItsPlace) {
-  const std::string rest = "dirty_things,sink,curated\ndirty_or_not,sink,curated\npassing,oven,curated\n";
+  const std::string rest = "dirty_things,sink,curated\ndirty_or_not,sink,curated\nput_away,shelf,curated\npassing,oven,curated\n";
   EXPECT_THAT(place_problems("storage,cabinet|drawer,curated\n" + rest), IsEmpty());
   EXPECT_THAT(place_problems("storage,cabnet,curated\n" + rest),
               Contains(HasSubstr("2:9: schema error: 'cabnet' is not")));

@@ -48,6 +48,25 @@ TEST(SpecialPlaces, EachIsCalledAsACategoryIs) {
     EXPECT_TRUE(names.contains(place)) << place;
 }
 
+TEST(SenseRules, SpeakOfThingsThatAreCalledSo) {
+  std::set<std::string> names;
+  for (const auto simulator : kSimulators) {
+    for (const auto& category : committed_knowledge(simulator).categories()) {
+      names.insert(normal_word(category.display));
+      names.insert("slice_of_" + normal_word(category.display));
+    }
+  }
+  std::vector<Error> errors;
+  std::size_t spoken_of = 0;
+  for (const auto& rule :
+       read_sense_rules(test::sense_tables() / "rules.csv", test::committed_sense().kinds(), errors)) {
+    for (const auto& word : rule.words) EXPECT_TRUE(names.contains(word)) << rule.name << ": " << word;
+    spoken_of += rule.words.size();
+  }
+  EXPECT_TRUE(errors.empty());
+  EXPECT_GT(spoken_of, 50U);
+}
+
 TEST(SpecialPlaces, HaveNoPlacementsOfOtherThings) {
   const auto& sense = test::committed_sense();
   for (const auto simulator : kSimulators) {

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "resources/resources.h"
+
+namespace unietp {
+
+/// The categories of a simulator that some template of the library can be about with a goal that makes usual sense,
+/// whatever homes offer; in the order of the knowledge base. Of each template as many other categories are tried as a
+/// run tries. Deterministic. Takes about a minute for all simulators.
+std::vector<std::string> categories_with_usual_goals(const Resources& resources, Simulator simulator);
+
+}  // namespace unietp
