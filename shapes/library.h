@@ -14,6 +14,8 @@
 
 namespace unietp {
 
+struct ShapeLibraryReading;
+
 /// The families of shapes, and which category has which: data/shapes/*.shapes and categories.csv (docs/shapes.md).
 class ShapeLibrary {
  public:
@@ -31,7 +33,7 @@ class ShapeLibrary {
   const ShapeFamily* family_of(Simulator simulator, std::string_view category, Archetype archetype) const;
 
  private:
-  friend struct ShapeLibraryReading read_shape_library(const std::vector<File>& files, const File& categories);
+  friend ShapeLibraryReading read_shape_library(const std::vector<File>& files, const File& categories);
   using Rows = std::unordered_map<std::string, std::size_t>;  // family by words; SIZE_MAX: the archetype
   static constexpr std::size_t kArchetype = static_cast<std::size_t>(-1);
 

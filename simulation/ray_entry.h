@@ -20,6 +20,7 @@ struct RayTarget {
   Vec2 low = Vec2::Ones(), high = Vec2::Ones();  // half widths at z = -half.z() and half.z(), of the half extents
   double wall = 0, floor = 0;
 
+  /// Whether rays enter it from above and meet its inside.
   bool hollow() const { return kind == SolidKind::Cup || kind == SolidKind::Crate; }
   /// A normal in its own frame as a unit vector in W.
   Vec3 normal_in_w(const Vec3& own) const;

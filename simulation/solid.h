@@ -14,6 +14,7 @@ enum class Skin : std::uint8_t { Body, Liquid, Water, Flame, Cord, Plug, Socket,
 /// Those of physics, and those of shapes alone. All but cups and crates, which are hollow above, are convex.
 enum class SolidKind : std::uint8_t { Box, Cylinder, Sphere, Wedge, Cone, Cup, Crate };
 
+/// The solid of a part of physics.
 inline SolidKind kind_of(Part::Kind kind) {
   return kind == Part::Kind::Box        ? SolidKind::Box
          : kind == Part::Kind::Cylinder ? SolidKind::Cylinder

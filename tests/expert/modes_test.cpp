@@ -180,7 +180,7 @@ TEST(ModeExpert, LooksFromWhatIsNearbyWhereLongStepsLeadToFewPlaces) {
   profile.image_width = profile.image_height = 200;
   Scene scene = strewn_house(Rng(8));
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-    if (scene.nodes[i].category == "Potato") scene.nodes.edit(i).size *= 0.35;
+    if (scene.nodes[i].category == "Potato") scene.nodes.edit(i).size *= 0.5;
   }
   const Scene start = at_rest(std::move(scene));
   const Formula each = goal("(forall (?x - Potato) (sometime (held ?x)))");

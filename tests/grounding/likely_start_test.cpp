@@ -14,7 +14,7 @@ class LikelyStart : public ::testing::Test {
   void SetUp() override {
     style_ = style_of(Simulator::Ai2thor);
     ASSERT_TRUE(style_);
-    auto home = full_home_of(*style_, 3);
+    auto home = full_home_of(*style_, 4);
     ASSERT_TRUE(home) << format(home.error());
     home_ = prepare_home(std::move(*home), style_->profile);
   }

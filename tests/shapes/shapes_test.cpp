@@ -65,7 +65,7 @@ Bounds bounds_of(const std::vector<Piece>& pieces) {
 }
 
 TEST(ShapeLanguage, SaysWhatIsWrongAndWhere) {
-  EXPECT_EQ(errors_in("(family a (means \"a\")\n  (bxo -1 1 -1 1 -1 1))"),
+  EXPECT_EQ(errors_in("(family a (means \"a\")\n  (bax -1 1 -1 1 -1 1))"),
             std::vector<std::string>{"a.shapes:2:3: parse error: expected a part; did you mean \"box\"?"});
   EXPECT_EQ(errors_in("(family a (means \"a\")\n  (box -1 1 -1 1 -1))"),
             std::vector<std::string>{"a.shapes:2:3: parse error: \"box\" needs x0 x1 y0 y1 z0 z1"});

@@ -27,7 +27,7 @@ bool is_reader(std::string_view name, std::string_view line, std::string_view ar
                      ((name == "open" || name == "read") && line.find("static Result<") != std::string_view::npos);
   const auto takes = [&](std::string_view type) { return arguments.find(type) != std::string_view::npos; };
   return named && (takes("string_view") || takes("path&") || takes("std::string&") || takes("vector<std::string>&") ||
-                   takes("Json"));
+                   takes("File>&") || takes("Json"));
 }
 
 /// "header,function" of the readers that a header declares.
