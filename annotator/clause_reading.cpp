@@ -103,6 +103,11 @@ Clause ClauseReader::comparison() {
     words_.expect("as many");
   }
   clause.subjects.push_back(words_.bare_noun());
+  if (words_.accept(link)) {  // "as many forks as plates on the table"
+    clause.subjects.push_back(words_.bare_noun());
+    at_the_same_place(clause);
+    return clause;
+  }
   clause.complements.push_back(words_.complement());
   words_.expect(link);
   clause.subjects.push_back(words_.complement_comes() ? clause.subjects[0] : words_.bare_noun());

@@ -46,6 +46,7 @@ class ClauseReader {
   Clause shared_out();
   Clause same_number();
   Clause outnumbering();
+  void at_the_same_place(Clause& clause);
   Clause poured();
   Clause remaining();
   Clause none_left(bool any);

@@ -209,6 +209,8 @@ std::optional<std::string> ClauseWriter::comparison(const Clause& clause, const 
                                : clause.comparison == Comparison::Equal ? "as many "
                                                                         : "at least as many ";
   const std::string link = greater ? " than " : " as ";
+  if (naming_.everyday() && same_place(clause))  // "as many forks as plates on the table"
+    return "there " + agreed(be, true) + " " + quantity + *more + link + *fewer + " " + *here;
   const std::string& second = *more == *fewer && rng_.chance(0.5) ? std::string() : *fewer + " ";
   return "there " + agreed(be, true) + " " + quantity + *more + " " + *here + link + second + *there;
 }
@@ -236,6 +238,9 @@ std::optional<std::string> ClauseWriter::worded(const Clause& clause) {
       const auto& places = clause.complements[0].object;
       if (naming_.everyday() && !places.empty() && naming_.is_carried(places[0].noun))
         std::erase_if(patterns, [](const std::string& pattern) { return pattern == "move {s} to {o}"; });
+      // A table is cleaned, not washed.
+      if (naming_.everyday() && !naming_.is_carried(clause.subjects[0].noun))
+        std::erase_if(patterns, [](const std::string& pattern) { return pattern == "wash {s}"; });
       const bool clean_subject = clause.subjects[0].determiner != Determiner::No &&
                                  clause.subjects[0].determiner != Determiner::AtMost &&
                                  clause.subjects[0].determiner != Determiner::Agent;

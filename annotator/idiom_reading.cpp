@@ -53,15 +53,17 @@ Clause ClauseReader::outnumbering() {
   clause.subjects.push_back(words_.bare_noun());
   words_.expect("than");
   clause.subjects.push_back(words_.bare_noun());
+  at_the_same_place(clause);
+  return clause;
+}
+
+/// "… than plates in the sink": the place of both.
+void ClauseReader::at_the_same_place(Clause& clause) {
   clause.complements.push_back(words_.complement());
-  if (clause.complements[0].object.empty()) {
-    words_.fail("expected a place before this");
-    return clause;
-  }
+  if (clause.complements[0].object.empty()) return words_.fail("expected a place before this");
   Complement again = clause.complements[0];
   again.object = {named_again(again.object[0])};
   clause.complements.push_back(std::move(again));
-  return clause;
 }
 
 /// "pour it into the vase": what was filled in before; the symbol is that of the clause before.

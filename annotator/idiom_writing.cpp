@@ -93,13 +93,13 @@ Text outnumbering(const Clause& clause, Naming& naming) {
   return where ? Text("put more " + *more + " than " + *fewer + " " + *where) : std::nullopt;
 }
 
+}  // namespace
+
 bool same_place(const Clause& clause) {
   const Complement &a = clause.complements[0], &b = clause.complements[1];
   return a.predicate == b.predicate && !a.negated && !b.negated && is_put(a.predicate) &&
          !a.object[0].variable.empty() && a.object[0].variable == b.object[0].variable;
 }
-
-}  // namespace
 
 bool is_idiom(const Clause& clause) {
   if (clause.put_down || clause.each_has_one || clause.poured) return true;

@@ -19,6 +19,8 @@ namespace unietp {
 std::optional<std::string> idiom(const Clause& clause, Naming& naming, Rng& rng);
 /// Whether `idiom` is about such a clause.
 bool is_idiom(const Clause& clause);
+/// Whether a comparison of two numbers is about one place: more mugs than plates in the sink.
+bool same_place(const Clause& clause);
 
 /// What is so the whole time: "leave all the plates on the table", "do not open the fridge".
 std::optional<std::string> left_alone(const Clause& clause, Naming& naming, Rng& rng);

@@ -111,6 +111,12 @@ class Collector {
 Wants wants_of(const Formula& goal) {
   Collector collector;
   collector.read(goal, false);
+  const auto all = collector.wants.wants;
+  std::erase_if(collector.wants.wants, [&](const Want& on) {  // what is switched off again is not left on
+    return on.predicate == Predicate::PowerOn && std::any_of(all.begin(), all.end(), [&](const Want& off) {
+             return off.predicate == Predicate::PowerOff && off.thing == on.thing && off.negated == on.negated;
+           });
+  });
   return std::move(collector.wants);
 }
 
