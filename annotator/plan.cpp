@@ -235,6 +235,10 @@ class Planner {
       meanwhile.pop_back();
       still.push_back(part);
     }
+    if (meanwhile.empty()) {  // "turn on the oven, cook the egg, and turn the oven off again"
+      for (const Formula& part : still) meanwhile.push_back(planned_clause(part, phrases_));
+      still.clear();
+    }
     meanwhile.insert(meanwhile.begin(), planned_clause(open, phrases_));
     meanwhile.push_back(planned_clause(closed, phrases_));
     if (phrases_.clear_error()) return false;

@@ -56,14 +56,18 @@ std::vector<std::vector<std::string>> choices_first(const std::vector<const Alia
   return all;
 }
 
-/// Where things are put away, washed or thrown away. Who says what they are up to wants what they need for it at hand.
+/// Where things are put away, washed or thrown away. Who says what they are up to wants what they need for it at hand,
+/// not switched off, closed or frozen.
 constexpr std::array<std::string_view, 12> kPutAway{"cabinet", "drawer",     "wardrobe", "dresser",
                                                     "fridge",  "freezer",    "sink",     "storage_box",
                                                     "hamper",  "dishwasher", "washer",   "trash_can"};
 
 bool is_put_away(const GoalVariable& variable, const Specification& plain, const Knowledge& knowledge) {
   const auto asked = predicates_of(plain.goal, variable.variable);
-  if (std::find(asked.begin(), asked.end(), Predicate::Frozen) != asked.end()) return true;
+  const bool ends_its_use = std::any_of(asked.begin(), asked.end(), [](Predicate predicate) {
+    return predicate == Predicate::Frozen || predicate == Predicate::PowerOff || predicate == Predicate::Closed;
+  });
+  if (ends_its_use) return true;
   if (std::find(asked.begin(), asked.end(), Predicate::Inside) == asked.end()) return false;
   return std::any_of(plain.binding.begin(), plain.binding.end(), [&](const auto& pair) {
     const auto* other = pair.second == variable.category ? nullptr : knowledge.find(pair.second);

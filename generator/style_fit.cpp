@@ -23,7 +23,7 @@ bool asks_for_one_state(const Formula& goal) {
 
 bool has_form_for(Style style, const Formula& goal) {
   switch (style) {
-    case Style::Alias:
+    case Style::Alias:  // see may_be_carried
     case Style::Aside:
       return true;
     case Style::Request:
@@ -52,6 +52,13 @@ bool has_form_for(Style style, const Formula& goal) {
   }
 }
 
+/// Only what can be carried is called by another name (refine_linguistic).
+bool may_be_carried(const Parameter& parameter) {
+  return std::none_of(parameter.affordances.begin(), parameter.affordances.end(), [](const std::string& word) {
+    return word == "room" || word == "furniture" || word == "colour" || word == "material" || word == "substance";
+  });
+}
+
 }  // namespace
 
 std::vector<Style> styles_fitting(const Template& source) {
@@ -59,9 +66,12 @@ std::vector<Style> styles_fitting(const Template& source) {
     const auto own = style_named(source.refinement);
     return own ? std::vector<Style>{*own} : std::vector<Style>();
   }
+  const bool carries = std::any_of(source.parameters.begin(), source.parameters.end(), may_be_carried);
   std::vector<Style> fitting;
-  for (std::size_t i = 0; i < kStyleCount; ++i)
-    if (has_form_for(static_cast<Style>(i), source.goal)) fitting.push_back(static_cast<Style>(i));
+  for (std::size_t i = 0; i < kStyleCount; ++i) {
+    const auto style = static_cast<Style>(i);
+    if (has_form_for(style, source.goal) && (style != Style::Alias || carries)) fitting.push_back(style);
+  }
   return fitting;
 }
 

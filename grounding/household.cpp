@@ -12,7 +12,7 @@ constexpr double kInPassing = 0.15;     // of the weight of a place that things 
 constexpr double kWhileHeated = 0.005;  // and of one where they are only while they are heated
 
 constexpr double kUsualRoom = 0.25;  // least value of in_room() of a room where such things usually are
-constexpr double kTolerable = 0.08;  // weight of all tolerable places of a category together; the usual ones have 1
+constexpr double kTolerable = 0.03;  // weight of all tolerable places of a category together; the usual ones have 1
 constexpr double kUnspoken = 0.02;   // share of a state that nobody spoke of
 
 }  // namespace
@@ -48,7 +48,9 @@ Household::Household(const Knowledge& knowledge, const CommonSense& sense, Start
       const auto is_a = [&](std::string_view kind) { return at != nullptr && kinds_.is_a(at->kind, kind); };
       if (is_a("trash_can") && !kinds_.is_a(kind_of(category.name), "rubbish")) continue;
       const bool passing = at != nullptr && sense.used_for(at->kind, PlaceUse::Passing);
-      const double time = !passing ? 1 : sense.used_for(at->kind, PlaceUse::DirtyThings) ? kInPassing : kWhileHeated;
+      const bool heated =
+          passing && place.placement->relation == Predicate::Inside && !sense.used_for(at->kind, PlaceUse::DirtyOrNot);
+      const double time = heated ? kWhileHeated : passing ? kInPassing : 1;
       const bool is_usual = place.grade == Grade::Usual;
       const double weight = place.weight * (is_usual ? 1 : kTolerable) * time;
       places.push_back({place.placement->relation, receptacle, weight, is_usual});

@@ -32,13 +32,16 @@ Location location_of(const Workspace& workspace, const Node& node) {
   return found;
 }
 
-/// A state that hardly any such thing is in on or in a receptacle.
-std::optional<State> rare_state(const Household& household, const Node& node, Predicate relation,
-                                const std::string& receptacle) {
+/// A state that hardly any such thing is in, or is not in, on or in a receptacle: "dirty", "not cold".
+std::string rare_state(const Household& household, const Node& node, const Knowledge& knowledge, Predicate relation,
+                       const std::string& receptacle) {
   for (const LikelyState& likely : household.states_of(node.category, relation, receptacle)) {
-    if (likely.share < kHardlyAny && node.states.has(likely.state)) return likely.state;
+    const std::string name(info(likely.state.predicate).name);
+    const bool has = node.states.has(likely.state);
+    if (has && likely.share < kHardlyAny) return name;
+    if (!has && likely.share > 1 - kHardlyAny && can_be(node, knowledge, likely.state)) return "not " + name;
   }
-  return std::nullopt;
+  return "";
 }
 
 /// Something else on or in the receptacle that is kept apart from the thing.
@@ -109,8 +112,8 @@ Oddness oddness_of(const Workspace& workspace, const Node& node, std::string* re
     const bool kept = where.room == nullptr || household->keeps(node.category, there.category, where.room->type);
     if (place == nullptr || !kept) return odd(at + ", where nobody keeps such things");
     if (some_usual && !place->usual) worst = Oddness::Unusual;
-    if (const auto state = rare_state(*household, node, relation, there.category))
-      return odd(std::string(info(state->predicate).name) + " " + at + ", as hardly anything is there");
+    const auto state = rare_state(*household, node, workspace.knowledge(), relation, there.category);
+    if (!state.empty()) return odd(state + " " + at + ", as hardly anything is there");
     if (const Node* other = clashing(workspace, node, host)) return odd(at + " together with " + other->id);
   }
   return worst;

@@ -80,6 +80,14 @@ constexpr Said kSaid[] = {
     {"Take the mug out of the fridge and put it on a table.",
      "(exists (?m - (Mug :where (exists (?f - Fridge) (inside ?m ?f)))) (exists (?t - Table) (at-end (on ?m ?t))))",
      "ake the mug out of the fridge and put it on"},
+    {"Put two mugs on the table and make sure that there are as many mugs as bowls on the table.",
+     "(exists (?t - Table) (at-end (and (count = 2 (?m - Mug) (on ?m ?t))"
+     " (count = (number (?a - Mug) (on ?a ?t)) (number (?b - Bowl) (on ?b ?t))))))",
+     "there are as many mugs as bowls on the table"},
+    {"Turn on the lamp, put a mug on the table, and turn the lamp off again.",
+     "(exists (?l - Lamp) (exists (?m - Mug) (exists (?t - Table) (and (sometime (power_on ?l))"
+     " (at-end (and (power_off ?l) (on ?m ?t)))))))",
+     " off again"},
     {"Put all the mugs either in the fridges or on the tables.",
      "(forall (?m - Mug) (at-end (or (exists (?f - Fridge) (inside ?m ?f)) (exists (?t - Table) (on ?m ?t)))))",
      "either in the fridges or on the tables"},
@@ -108,6 +116,23 @@ TEST(Idioms, AreWrittenForTheirGoals) {
   }
 }
 
+TEST(Idioms, FurnitureIsCleanedAndDishesAreWashed) {
+  const Knowledge knowledge = small_knowledge();
+  const NounTable nouns(knowledge);
+  const auto texts = [&](const std::string& category) {
+    std::vector<std::string> all;
+    const auto asked = asking("(exists (?a - " + category + ") (at-end (clean ?a)))", "direct");
+    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+      const auto written = write_instruction(asked, knowledge, nouns, {}, Rng(seed));
+      EXPECT_TRUE(written) << category;
+      all.push_back(written ? lower(written->text) : "");
+    }
+    return all;
+  };
+  EXPECT_THAT(texts("CoffeeTable"), Each(Not(HasSubstr("wash "))));
+  EXPECT_THAT(texts("Mug"), Contains(HasSubstr("wash ")));
+}
+
 TEST(Idioms, WithOneWordChangedMeanSomethingElse) {
   const Knowledge knowledge = small_knowledge();
   constexpr std::pair<const char*, std::size_t> kChanged[] = {
@@ -119,7 +144,9 @@ TEST(Idioms, WithOneWordChangedMeanSomethingElse) {
       {"Put all the mugs on the table, and only then all the bowls.", 6},
       {"Fill the mug with water, then fill the bowl with water.", 7},
       {"Slice the apple, then cook a slice of apple.", 8},
-      {"If the fridge is closed, put a mug in it. If not, put it on a table.", 10}};
+      {"If the fridge is closed, put a mug in it. If not, put it on a table.", 10},
+      {"Put two mugs on the table and make sure that there are as many mugs as apples on the table.", 15},
+      {"Turn off the lamp, put a mug on the table, and turn the lamp on again.", 16}};
   for (const auto& [text, of] : kChanged)
     EXPECT_FALSE(check_instruction(text, asking(kSaid[of].goal, "direct"), knowledge).empty()) << text;
 }

@@ -122,6 +122,20 @@ TEST(RealKnowledge, OffersReferringConstraintsForMostTemplates) {
   }
 }
 
+/// Who says what they are about to do wants what they need for it at hand.
+TEST(RealKnowledge, NobodyHasWhatTheyNeedPutAwayOrSwitchedOff) {
+  const auto& knowledge = committed_knowledge(Simulator::Virtualhome);
+  const auto can_be_said = [&](const char* name, const Binding& binding) {
+    const auto plain = instantiate(library_template(name), knowledge, binding);
+    EXPECT_TRUE(plain) << format(plain.error());
+    return plain && refine_linguistic(*plain, knowledge, {}, "context", Rng(1)).has_value();
+  };
+  EXPECT_TRUE(can_be_said("switch-on-one", {{"A", "computer"}}));
+  EXPECT_FALSE(can_be_said("switch-off-one", {{"A", "computer"}}));
+  EXPECT_TRUE(can_be_said("place-one-on", {{"A", "mug"}, {"B", "kitchencounter"}}));
+  EXPECT_FALSE(can_be_said("place-one-inside", {{"A", "mug"}, {"B", "sink"}}));
+}
+
 TEST(RealKnowledge, KindsThatAreListedJoinOnlyThingsOfOneOfThem) {
   const auto& knowledge = committed_knowledge(Simulator::Behavior);
   const DomainConstraint any{ConstraintType::SameKind, {"A", "B"}, {}};

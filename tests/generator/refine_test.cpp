@@ -6,6 +6,7 @@
 #include "generator/fixed_start.h"
 #include "generator/goal_parts.h"
 #include "generator/specification.h"
+#include "generator/style_fit.h"
 #include "logic/evaluate.h"
 #include "small_home.h"
 
@@ -325,6 +326,17 @@ TEST(RefineLinguistic, WhatIsToldApartIsOneOfSeveral) {
       EXPECT_GT(members_of(of_category("Mug"), "x", start).size(), 1U) << style;
     }
   }
+}
+
+/// A room or a piece of furniture has no other name.
+TEST(StyleFit, LeavesOutWhatHasNoOtherName) {
+  const auto has_alias = [](const char* name) {
+    const auto styles = styles_fitting(library_template(name));
+    return std::find(styles.begin(), styles.end(), Style::Alias) != styles.end();
+  };
+  EXPECT_TRUE(has_alias("place-one-on"));
+  EXPECT_FALSE(has_alias("go-to-room"));
+  EXPECT_FALSE(has_alias("close-all-in-room"));
 }
 
 TEST(RefineLinguistic, DoesNotApplyWithoutWordsForIt) {

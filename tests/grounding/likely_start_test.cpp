@@ -81,6 +81,9 @@ TEST_F(LikelyStart, IsRefusedWhenNoHomeLooksLikeIt) {
   const std::string knife = "(exists (?a - Knife) (exists (?s - Sofa) (on ?a ?s)))";
   EXPECT_EQ(reason({knife}), "odd-start");
   EXPECT_NE(reason({knife}, true), "odd-start") << "to be put away, it may lie there";
+  const std::string apple = "(exists (?a - Apple) (exists (?f - Fridge) (inside ?a ?f)))";
+  EXPECT_EQ(reason({apple, "(forall (?a - Apple) (not (cool ?a)))"}), "odd-start") << "what is in a fridge is cold";
+  EXPECT_NE(reason({apple}), "odd-start");
 }
 
 TEST(Household, SaysWhichRoomsSuitThings) {
@@ -98,6 +101,18 @@ TEST(Household, SaysWhichRoomsSuitThings) {
   EXPECT_FALSE(household.keeps("hardback", "bottom_cabinet", "kitchen"));
   EXPECT_TRUE(household.keeps("hardback", "bottom_cabinet", "living_room"));
   EXPECT_FALSE(household.keeps("plate", "breakfast_table", "bathroom"));
+}
+
+TEST(Household, KeepsNothingWhereThingsAreOnlyHeated) {
+  const auto style = style_of(Simulator::Behavior);
+  ASSERT_TRUE(style);
+  const auto weight = [&](const char* thing, Predicate relation, const char* place) {
+    const auto* found = style->recipe.household->place(thing, relation, place);
+    return found == nullptr ? 0 : found->weight;
+  };
+  EXPECT_GT(weight("brisket", Predicate::Inside, "fridge"), 100 * weight("brisket", Predicate::Inside, "oven"));
+  EXPECT_GT(weight("brisket", Predicate::Inside, "oven"), 0) << "a task may put it there";
+  EXPECT_GT(weight("plate", Predicate::Inside, "dishwasher"), 0.01);
 }
 
 TEST(Homes, HaveNoFoodWhereNobodyKeepsIt) {

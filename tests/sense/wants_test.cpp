@@ -36,6 +36,14 @@ TEST(Wants, LeaveOutWhatIsForbiddenKeptOrAssumed) {
   EXPECT_TRUE(read("(exists (?b - Desk) (at-end (count <= 1 (?a - Mug) (on ?a ?b))))").wants.empty());
 }
 
+TEST(Wants, WhatIsSwitchedOffAgainIsNotLeftOn) {
+  EXPECT_EQ(predicates(read("(exists (?a - Stove) (and (sometime (power_on ?a)) (at-end (power_off ?a))))")),
+            (std::vector{Predicate::PowerOff}));
+  EXPECT_EQ(predicates(read("(exists (?a - Stove) (exists (?b - Stove) (and (at-end (power_on ?a)) (at-end (power_off "
+                            "?b)))))")),
+            (std::vector{Predicate::PowerOn, Predicate::PowerOff}));
+}
+
 TEST(Wants, CountsAskForTheirBody) {
   EXPECT_EQ(predicates(read("(exists (?b - Desk) (at-end (count >= 2 (?a - Mug) (on ?a ?b))))")),
             (std::vector{Predicate::On}));
