@@ -19,9 +19,9 @@ constexpr double kUnspoken = 0.02;   // share of a state that nobody spoke of
 
 Household::Household(const Knowledge& knowledge, const CommonSense& sense, StartStates states)
     : kinds_(sense.kinds()), states_(std::move(states)) {
-  for (auto& pair : sense.kept_apart()) {
-    if (!kinds_.is_a(pair.first, "food") || !kinds_.is_a(pair.second, "food")) apart_.push_back(std::move(pair));
-  }
+  auto apart = sense.kept_apart();
+  std::erase_if(
+      apart, [this](const auto& pair) { return kinds_.is_a(pair.first, "food") && kinds_.is_a(pair.second, "food"); });
   const UsualPlaces usual(knowledge, sense);
   std::set<std::string> room_types;
   for (const Category& category : knowledge.categories())
@@ -29,6 +29,10 @@ Household::Household(const Knowledge& knowledge, const CommonSense& sense, Start
   for (const Category& category : knowledge.categories()) {
     if (const auto* fact = sense.kind_of(knowledge.simulator(), category.name)) {
       kind_[category.name] = fact->kind;
+      for (std::size_t rule = 0; rule < apart.size(); ++rule) {
+        if (kinds_.is_a(fact->kind, apart[rule].first)) apart_[category.name].first.push_back(rule);
+        if (kinds_.is_a(fact->kind, apart[rule].second)) apart_[category.name].second.push_back(rule);
+      }
       if (sense.used_for(fact->kind, PlaceUse::PutAway)) put_away_.insert(category.name);
     }
     if (!category.movable) continue;
@@ -94,11 +98,12 @@ std::string_view Household::kind_of(std::string_view category) const {
 }
 
 bool Household::clash(std::string_view a, std::string_view b) const {
-  const auto first = kind_of(a), second = kind_of(b);
-  return std::any_of(apart_.begin(), apart_.end(), [&](const auto& pair) {
-    return (kinds_.is_a(first, pair.first) && kinds_.is_a(second, pair.second)) ||
-           (kinds_.is_a(second, pair.first) && kinds_.is_a(first, pair.second));
-  });
+  const auto one = apart_.find(a), other = apart_.find(b);
+  if (one == apart_.end() || other == apart_.end()) return false;
+  const auto share = [](const std::vector<std::size_t>& some, const std::vector<std::size_t>& more) {
+    return std::find_first_of(some.begin(), some.end(), more.begin(), more.end()) != some.end();
+  };
+  return share(one->second.first, other->second.second) || share(one->second.second, other->second.first);
 }
 
 Role Household::role_at(Predicate relation, std::string_view receptacle) const {

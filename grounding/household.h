@@ -57,9 +57,13 @@ class Household {
 
   Kinds kinds_;
   StartStates states_;
-  std::vector<std::pair<std::string, std::string>> apart_;  // kinds
-  std::map<std::string, std::string, std::less<>> kind_;    // by category
-  std::set<std::string, std::less<>> put_away_;             // receptacles of PlaceUse::PutAway
+  /// The rules of safety that keep a category apart from another: as the first that they name, or as the second.
+  struct Rules {
+    std::vector<std::size_t> first, second;
+  };
+  std::map<std::string, Rules, std::less<>> apart_;       // by category; of those that a rule speaks of
+  std::map<std::string, std::string, std::less<>> kind_;  // by category
+  std::set<std::string, std::less<>> put_away_;           // receptacles of PlaceUse::PutAway
   std::map<std::string, std::vector<Place>, std::less<>> places_;
   std::map<std::string, std::map<std::string, double, std::less<>>, std::less<>> rooms_;  // by kind, then type of room
 };

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "generator/fixed_start.h"
-#include "generator/specification.h"
+#include "generator/propose.h"
 #include "grounding/goal_places.h"
 #include "grounding/household.h"
 #include "run/sense_of_binding.h"
@@ -47,9 +47,12 @@ BindingCheck fits_home(const RunConfiguration& configuration, const Resources& r
     if (bound.size() + 1 < source.parameters.size()) return true;
     Binding all = bound;
     all.emplace_back(parameter.name, category);
-    const auto specification = instantiate(source, knowledge, all);
-    if (!specification || misfit(specification->init, knowledge, layout.offer.now) != nullptr) return false;
-    return household == nullptr || rooms_suit(specification->goal, layout, *household);
+    // What costs least comes first: the last gates draw starts.
+    const auto filled = fill_in(source, knowledge, all);
+    const auto* specification = std::get_if<Specification>(&filled);
+    if (specification == nullptr || misfit(specification->init, knowledge, layout.offer.now) != nullptr) return false;
+    if (household != nullptr && !rooms_suit(specification->goal, layout, *household)) return false;
+    return !refused_by(*specification, knowledge);
   };
 }
 

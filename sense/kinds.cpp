@@ -9,16 +9,22 @@ namespace unietp {
 
 Kinds::Kinds(std::vector<Kind> kinds) : kinds_(std::move(kinds)) {
   for (std::size_t i = 0; i < kinds_.size(); ++i) by_name_.emplace(kinds_[i].name, i);
+  for (const Kind& kind : kinds_) parents_.push_back(number_of(kind.parent));
+}
+
+std::size_t Kinds::number_of(std::string_view name) const {
+  const auto found = by_name_.find(name);
+  return found == by_name_.end() ? kNone : found->second;
 }
 
 const Kind* Kinds::find(std::string_view name) const {
-  const auto found = by_name_.find(name);
-  return found == by_name_.end() ? nullptr : &kinds_[found->second];
+  const std::size_t number = number_of(name);
+  return number == kNone ? nullptr : &kinds_[number];
 }
 
 std::vector<const Kind*> Kinds::lineage(std::string_view name) const {
   std::vector<const Kind*> line;
-  for (const Kind* kind = find(name); kind != nullptr; kind = find(kind->parent)) line.push_back(kind);
+  for (std::size_t at = number_of(name); at != kNone; at = parents_[at]) line.push_back(&kinds_[at]);
   return line;
 }
 
@@ -31,8 +37,10 @@ std::vector<const Kind*> Kinds::narrower(std::string_view name) const {
 }
 
 bool Kinds::is_a(std::string_view kind, std::string_view wider) const {
-  const auto line = lineage(kind);
-  return std::any_of(line.begin(), line.end(), [&](const Kind* each) { return each->name == wider; });
+  const std::size_t top = number_of(wider);
+  std::size_t at = number_of(kind);
+  while (at != top && at != kNone) at = parents_[at];
+  return at != kNone;
 }
 
 std::string Kinds::piece_of(const std::string& kind) const {

@@ -46,7 +46,11 @@ class Kinds {
   std::string place_role(std::string_view relation, std::string_view place) const;
 
  private:
+  static constexpr std::size_t kNone = -1;
+  std::size_t number_of(std::string_view name) const;
+
   std::vector<Kind> kinds_;
+  std::vector<std::size_t> parents_;  // by kind; kNone for the root
   std::map<std::string, std::size_t, std::less<>> by_name_;
 };
 

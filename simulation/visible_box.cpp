@@ -26,18 +26,19 @@ struct Coverage {
 Coverage coverage_of(const Outline& outline, const PixelBox& part, const PartOfImage& middles, bool fills,
                      const Camera& camera) {
   Coverage share;
+  bool around_covers = true;  // perhaps, the box around a round solid
   if (!fills) {
     if (!meet(outline.cover, part)) return {false, false, 0, 0};
-    share.whole = !outline.round && outline.side_count > 0;
     const auto [least, most] = outline.sides.least_in(middles);
     if (most < -kSlack) return {false, false, 0, 0};
-    share.whole = share.whole && least > kSlack;
+    share.whole = !outline.round && outline.side_count > 0 && least > kSlack;
+    around_covers = least > -kSlack && within(part, outline.cover);
   }
   const auto [least, most] = outline.faces.least_in(middles);  // of 1 / depth
   if (outline.face_count > 0 && most < -kSlack) return {false, false, 0, 0};
   share.nearest = std::max(outline.nearest, most > kSlack ? 1 / most - kSlack : 0.0);
   if (!outline.round && least > kSlack) share.farthest = 1 / least + kSlack;
-  if (outline.round) {  // convex: it covers the part if it covers all four corners
+  if (outline.round && around_covers) {  // convex: it covers the part if it covers all four corners
     share.farthest = 0;
     for (const auto& [x, y] : {std::pair{part[0], part[1]}, std::pair{part[2], part[3]}, std::pair{part[0], part[3]},
                                std::pair{part[2], part[1]}}) {
@@ -130,7 +131,12 @@ void VisibleBoxes::probe(const Outline& outline, const Vec2& corner, const Range
 
 void VisibleBoxes::explore(const PixelBox& whole, const Ranges& among) {
   const auto part = worth_exploring(whole, among);
-  if (part) explore_part(*part, among);
+  if (!part) return;
+  if ((*part)[0] == (*part)[2] && (*part)[1] == (*part)[3]) {
+    cut(*part, among);  // one ray
+  } else {
+    explore_part(*part, among);
+  }
 }
 
 std::optional<PixelBox> VisibleBoxes::worth_exploring(const PixelBox& part, const Ranges& among) const {
@@ -232,7 +238,7 @@ bool VisibleBoxes::shows_owner(int x, int y, const Ranges& among) const {
   const PixelBox pixel{x, y, x, y};
   const auto look = [&](const Shown& one) {
     const Outline& outline = outlines_[one.outline];
-    if (!meet(outline.cover, pixel) || outline.nearest > first) return;
+    if (one.nearest > first || !meet(outline.cover, pixel)) return;
     const double depth = outline.depth_at(camera_, x, y);
     if (depth == kNever || depth > first || (depth == first && one.outline > shown)) return;
     first = depth;
