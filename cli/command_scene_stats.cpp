@@ -14,6 +14,7 @@
 #include "core/text.h"
 #include "dataset/configuration.h"
 #include "grounding/home_census.h"
+#include "grounding/home_traits.h"
 #include "grounding/scene_statistics.h"
 #include "homes/home_files.h"
 
@@ -24,7 +25,7 @@ struct SceneStatsOptions {
   std::filesystem::path a, b;
   std::string simulator, against;
   int threads = 1;
-  bool json = false;
+  bool json = false, traits = false;
 };
 
 Error set_error(const std::filesystem::path& path, std::string message) {
@@ -56,6 +57,38 @@ Result<std::vector<HomeInFile>> homes_of_one_simulator(const std::filesystem::pa
   return homes;
 }
 
+struct HomeSet {
+  std::vector<Scene> homes;
+  Simulator simulator;
+};
+
+/// nullopt when interrupted.
+Result<std::optional<HomeSet>> read_set(const std::filesystem::path& path, const SceneStatsOptions& options,
+                                        const std::vector<Backend>& backends, const CommandLine& program) {
+  const auto formats = read_format_facts(program.folders.scene_files());
+  if (!formats.errors.empty()) return formats.errors.front();
+  auto reading = read_homes({path}, backends, formats.facts);
+  if (!reading.errors.empty()) return reading.errors.front();
+  const auto homes = homes_of_one_simulator(path, options, std::move(reading.homes));
+  if (!homes) return homes.error();
+  std::vector<std::optional<Result<Scene>>> made(homes->size());
+  const bool whole = for_each_home(homes->size(), options.threads, program, [&](std::size_t i) {
+    made[i] = scene_of((*homes)[i], backends, formats.facts);
+    return static_cast<bool>(*made[i]);
+  });
+  HomeSet set{{}, simulator_of(homes->front())};
+  for (std::size_t i = 0; i < made.size(); ++i) {
+    if (made[i] && !*made[i]) return made[i]->error();
+    if (made[i]) set.homes.push_back(std::move(**made[i]));
+  }
+  if (!whole) return std::optional<HomeSet>();
+  return std::optional(std::move(set));
+}
+
+Result<StructureNames> structure_names(const CommandLine& program) {
+  return read_structure_names(program.folders.layouts() / "curated" / "structure.csv");
+}
+
 struct Measured {
   SceneStatistics statistics;
   std::optional<Simulator> simulator;  // a file of statistics does not say
@@ -74,27 +107,12 @@ Result<std::optional<Measured>> measure(const std::filesystem::path& path, const
       return std::optional(Measured{std::move(*statistics), std::nullopt});
     }
   }
-  const auto formats = read_format_facts(program.folders.scene_files());
-  if (!formats.errors.empty()) return formats.errors.front();
-  auto reading = read_homes({path}, backends, formats.facts);
-  if (!reading.errors.empty()) return reading.errors.front();
-  const auto homes = homes_of_one_simulator(path, options, std::move(reading.homes));
-  if (!homes) return homes.error();
-  std::vector<std::optional<Result<Scene>>> made(homes->size());
-  const bool whole = for_each_home(homes->size(), options.threads, program, [&](std::size_t i) {
-    made[i] = scene_of((*homes)[i], backends, formats.facts);
-    return static_cast<bool>(*made[i]);
-  });
-  std::vector<Scene> scenes;
-  for (std::size_t i = 0; i < made.size(); ++i) {
-    if (made[i] && !*made[i]) return made[i]->error();
-    if (made[i]) scenes.push_back(std::move(**made[i]));
-  }
-  if (!whole) return std::optional<Measured>();
-  const auto structure = read_structure_names(program.folders.layouts() / "curated" / "structure.csv");
+  const auto set = read_set(path, options, backends, program);
+  if (!set) return set.error();
+  if (!*set) return std::optional<Measured>();
+  const auto structure = structure_names(program);
   if (!structure) return structure.error();
-  return std::optional(
-      Measured{statistics_of(scenes, *structure, path.filename().string()), simulator_of(homes->front())});
+  return std::optional(Measured{statistics_of((*set)->homes, *structure, path.filename().string()), (*set)->simulator});
 }
 
 void print_distance(const SceneStatistics& a, const SceneStatistics& b, bool as_json) {
@@ -127,11 +145,77 @@ Result<SceneStatistics> reference_of(std::optional<Simulator> simulator, const D
   return statistics_from_json(file.string(), *text);
 }
 
+std::set<std::string> room_types_of(const std::vector<Scene>& homes) {
+  std::set<std::string> types;
+  for (const Scene& home : homes) {
+    for (const Room& room : home.rooms) types.insert(room.type);
+  }
+  return types;
+}
+
+std::string rounded_or_none(const std::optional<double>& value) {
+  return value ? number_text(std::round(*value * 10'000) / 10'000) : "–";
+}
+
+void print_comparison(const HomeComparison& comparison, const std::set<std::string>& types, bool as_json) {
+  if (as_json) {
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    for (const TraitComparison& one : comparison.traits) {
+      const auto or_null = [](const std::optional<double>& value) {
+        return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+      };
+      rows.push_back(
+          {{"trait", one.trait}, {"unit", one.unit}, {"made", or_null(one.made)}, {"halves", or_null(one.halves)}});
+    }
+    const nlohmann::ordered_json json{{"format", "unietp-home-traits/1"}, {"room_types", types},
+                                      {"made", comparison.made},          {"real", comparison.real},
+                                      {"sample", comparison.sample},      {"traits", std::move(rows)}};
+    std::printf("%s\n", json.dump(2).c_str());
+    return;
+  }
+  std::printf("%d homes of A, %d of B of like size; %d in each sample. Rooms: %s\n", comparison.made, comparison.real,
+              comparison.sample, join({types.begin(), types.end()}, ", ").c_str());
+  std::printf("  %-24s %-5s %10s %14s %7s\n", "trait", "unit", "A to B", "halves of B", "ratio");
+  for (const TraitComparison& one : comparison.traits) {
+    const auto ratio =
+        one.made && one.halves && *one.halves > 0 ? std::optional(*one.made / *one.halves) : std::nullopt;
+    std::printf("  %-24s %-5s %10s %14s %7s\n", one.trait.c_str(), one.unit.c_str(), rounded_or_none(one.made).c_str(),
+                rounded_or_none(one.halves).c_str(), ratio ? number_text(std::round(*ratio * 100) / 100).c_str() : "–");
+  }
+}
+
+Exit compare_traits(const SceneStatsOptions& options, const std::vector<Backend>& backends,
+                    const CommandLine& program) {
+  if (options.b.empty() || !options.against.empty())
+    return refuse(set_error("--traits", "expected two sets of homes, A and B"));
+  std::vector<HomeSet> sets;
+  for (const auto& path : {options.a, options.b}) {
+    auto set = read_set(path, options, backends, program);
+    if (!set) return refuse(set.error());
+    if (!*set) return Exit::Interrupted;
+    sets.push_back(std::move(**set));
+  }
+  const auto structure = structure_names(program);
+  if (!structure) return refuse(structure.error());
+  std::set<std::string> types;
+  const auto other = room_types_of(sets[1].homes);
+  for (const std::string& type : room_types_of(sets[0].homes)) {
+    if (other.contains(type)) types.insert(type);
+  }
+  std::vector<HomeTraits> traits[2];
+  for (std::size_t i = 0; i < 2; ++i) {
+    for (const Scene& home : sets[i].homes) traits[i].push_back(traits_of(home, *structure, types));
+  }
+  print_comparison(compare_homes(traits[0], traits[1]), types, options.json);
+  return Exit::Ok;
+}
+
 Exit stats(const SceneStatsOptions& options, const CommandLine& program) {
   if (!options.against.empty() && (options.against != "reference" || !options.b.empty()))
     return refuse(set_error("--against", "expected \"reference\" and no second set of homes"));
   const auto known = load_backends(program.folders);
   if (!known.errors.empty()) return refuse(known.errors);
+  if (options.traits) return compare_traits(options, known.backends, program);
   std::vector<SceneStatistics> sets;
   std::optional<Simulator> simulator;
   for (const auto& path : {options.a, options.b}) {
@@ -166,6 +250,7 @@ void add_scene_stats_command(CommandParser& group, CommandLine& program) {
       {{"unietp scene stats out/homes", "rooms, furniture, objects, free floor, and what stands together"},
        {"unietp scene stats houses.jsonl.gz --json > real.json", ""},
        {"unietp scene stats out/homes real.json", "the distance between the two"},
+       {"unietp scene stats out/homes real --traits", "16 traits, next to the distance between two halves of real"},
        {"unietp scene stats out/homes --against reference",
         "the distance from the real homes that data/layouts/ was fitted to"}});
   command->add_option("A", options->a, "A set of homes")->required();
@@ -176,6 +261,8 @@ void add_scene_stats_command(CommandParser& group, CommandLine& program) {
   add_simulators_option(*command, options->simulator, "Which homes to count, when a set has several simulators'",
                         "--simulator")
       ->type_name("NAME");
+  command->add_flag("--traits", options->traits,
+                    "Compare A with B trait by trait, and with what two halves of B differ by");
   add_threads_option(*command, options->threads, program);
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([options, &program] { program.exit = stats(*options, program); });

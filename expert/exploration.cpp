@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 #include "expert/poses.h"
@@ -53,8 +54,13 @@ std::vector<std::string> nearest(const World& world, const Node& to, const Range
 
 class Search {
  public:
-  Search(const ModeEpisode& episode, const Node& target, const Profile& profile, Viewpoint standing)
-      : episode_(episode), world_(episode.world()), target_(target), profile_(profile), standing_(standing) {}
+  Search(const ModeEpisode& episode, const Node& target, Viewpoint standing, std::size_t& looks_left)
+      : episode_(episode),
+        world_(episode.world()),
+        target_(target),
+        profile_(world_.profile()),
+        standing_(standing),
+        looks_left_(looks_left) {}
 
   /// `thorough`: also from small things nearby, where long steps and wide turns lead to few places.
   std::optional<std::vector<Action>> run(bool thorough) {
@@ -62,6 +68,8 @@ class Search {
     add({world_.agent(), 0, 0, {}});
     if (standing_ != Viewpoint::Here) begin_elsewhere();
     while (const auto at = poses_.next()) {
+      if (looks_left_ == 0) break;
+      --looks_left_;
       if (trials_ < kMostNamings && shows(poses_[*at].agent)) {
         if (auto steps = poses_.steps_to(*at); can_be_named_after(steps)) return steps;
       }
@@ -127,6 +135,7 @@ class Search {
   const Node& target_;
   const Profile& profile_;
   Viewpoint standing_;
+  std::size_t& looks_left_;
   int trials_ = 0;
   Poses poses_;
 };
@@ -158,11 +167,13 @@ std::vector<std::string> things_near(const World& world, const std::string& id) 
   return nearest(world, *target, {kNear_m, kMostNear}, [&world](const Node& node) { return !world.holds(node.id); });
 }
 
-std::optional<std::vector<Action>> way_to_see(const ModeEpisode& episode, const std::string& id, Viewpoint standing) {
+std::optional<std::vector<Action>> way_to_see(const ModeEpisode& episode, const std::string& id, Viewpoint standing,
+                                              std::size_t* looks_left) {
   const Node* target = episode.world().find(id);
   if (target == nullptr) return std::nullopt;
+  std::size_t all = std::numeric_limits<std::size_t>::max();
   const auto search = [&](bool thorough) {
-    return Search(episode, *target, episode.world().profile(), standing).run(thorough);
+    return Search(episode, *target, standing, looks_left != nullptr ? *looks_left : all).run(thorough);
   };
   auto way = search(false);
   return way || standing == Viewpoint::Here ? way : search(true);

@@ -15,7 +15,9 @@ namespace {
 /// Carries out a plan that names things by ids, looking for each thing first.
 class Explorer {
  public:
-  Explorer(ExecutionTree& executions, const ModeRules& rules) : rollout_(executions, rules) {}
+  /// `looks_left`: as in way_to_see, for all that it looks for.
+  Explorer(ExecutionTree& executions, const ModeRules& rules, std::size_t& looks_left)
+      : rollout_(executions, rules), looks_left_(&looks_left) {}
   /// From now on it looks around from where it stands, also where it would see a thing sooner from elsewhere.
   void stay() { stays_ = true; }
 
@@ -67,7 +69,7 @@ class Explorer {
     return outcome.success;
   }
   bool look(const std::string& id, Viewpoint standing = Viewpoint::Anywhere) {
-    const auto way = way_to_see(rollout_.episode(), id, standing);
+    const auto way = way_to_see(rollout_.episode(), id, standing, looks_left_);
     return way && std::all_of(way->begin(), way->end(), [this](const Action& step) { return act(step); });
   }
   /// Looks from here, from the room, and from furniture; furniture that is not in view itself is looked for first.
@@ -97,6 +99,7 @@ class Explorer {
   }
 
   Rollout rollout_;
+  std::size_t* looks_left_;
   bool stays_ = false;
   std::set<std::string> given_up_;
   Trouble trouble_;
@@ -108,7 +111,10 @@ class Explorer {
 std::variant<std::vector<Action>, Trouble> explore(const ModeRules& rules, ExecutionTree& executions,
                                                    std::vector<Action> plan, const ExpertOptions& options) {
   constexpr int kMostReplans = 4;
-  Explorer explorer(executions, rules);
+  // What cannot be seen from anywhere is looked for from each lookout again: hundreds of thousands of poses in a large
+  // home. The plans that were found looked from a few thousand.
+  std::size_t looks_left = 30'000;
+  Explorer explorer(executions, rules, looks_left);
   ExecutedPrefix beginning;
   for (int replans = 0; !explorer.follow(plan); ++replans) {
     const Trouble trouble = explorer.trouble();
@@ -124,7 +130,7 @@ std::variant<std::vector<Action>, Trouble> explore(const ModeRules& rules, Execu
     }
     if (std::holds_alternative<Rejection>(other)) return trouble;
     plan = std::move(std::get<std::vector<Action>>(other));
-    if (beginning.done.empty()) explorer = Explorer(executions, rules);
+    if (beginning.done.empty()) explorer = Explorer(executions, rules, looks_left);
     explorer.stay();
   }
   return explorer.done();

@@ -22,8 +22,7 @@ constexpr double kSmallestArea_m2 = 9;
 
 const std::vector<std::string> kFittedFurnitureColumns{"room", "category", "where",  "share",
                                                        "mean", "at_least", "at_most"};
-const std::vector<std::string> kFittedRoomColumns{"room",     "weight",    "at_least", "at_most",
-                                                  "area_low", "area_high", "passage"};
+const std::vector<std::string> kFittedRoomColumns{"room", "weight", "at_least", "at_most", "area_low", "area_high"};
 
 struct Curated {
   std::string room, category, where;
@@ -143,7 +142,7 @@ Result<std::string> fit_rooms(const FitInput& own, const std::filesystem::path& 
   if (!text) return text.error();
   std::vector<Error> errors;
   RowReader reader("curated/" + name, *text, kFittedRoomColumns, errors);
-  std::string out = "room,weight,at_least,at_most,area_low,area_high,passage,source\n";
+  std::string out = "room,weight,at_least,at_most,area_low,area_high,source\n";
   for (const CsvRow& row : reader.rows()) {
     reader.at(row);
     const std::string room = reader.one_of("room", room_types(), "room type");
@@ -174,7 +173,7 @@ Result<std::string> fit_rooms(const FitInput& own, const std::filesystem::path& 
     }
     if (!errors.empty()) return errors.front();
     out += csv_line({room, rounded_text(weight), std::to_string(at_least), std::to_string(at_most),
-                     rounded_text(low, 10), rounded_text(high, 10), reader.text("passage"), source});
+                     rounded_text(low, 10), rounded_text(high, 10), source});
   }
   if (!errors.empty()) return errors.front();
   return out;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "akb/csv.h"
@@ -16,6 +17,8 @@ namespace {
 constexpr double kSeldom = 0.02;  // means below are left to the share of what was not seen
 constexpr double kLeastUnseen = 0.01, kMostUnseen = 0.15;
 constexpr double kMovableShare = 0.45;  // where no real home says
+constexpr double kFloorShare = 0.06;    // likewise
+constexpr double kOnFloor_m = 0.1;      // the lowest part of what is on nothing lies below that
 constexpr double kLikeRoom = 0.5;       // of a thing's mean in another room, in a usual room that no real home shows
 
 using ByWord = std::map<std::pair<std::string, std::string>, double>;  // (room, display) → mean
@@ -68,6 +71,21 @@ double unseen_share(const FitInput& own) {
   return std::clamp(static_cast<double>(once) / total, kLeastUnseen, kMostUnseen);
 }
 
+/// Of the small things, those that are on or in nothing and low; nullopt where no home has poses.
+std::optional<double> floor_share(const FitInput& own) {
+  int low = 0, total = 0;
+  for (const HomeCensus& home : own.homes.homes) {
+    for (const CensusRoom& room : home.rooms) {
+      for (const CensusObject& object : room.objects) {
+        if (!object.movable || !object.box) continue;
+        ++total;
+        low += object.held_by.empty() && object.box->low.z() < kOnFloor_m ? 1 : 0;
+      }
+    }
+  }
+  return total > 0 ? std::optional(static_cast<double>(low) / total) : std::nullopt;
+}
+
 }  // namespace
 
 std::string fit_objects(const FitInput& own, std::span<const FitInput> all) {
@@ -78,6 +96,8 @@ std::string fit_objects(const FitInput& own, std::span<const FitInput> all) {
   out += csv_line({"any", "all", rounded_text(real ? own.statistics.movable_share : kMovableShare),
                    real ? own.homes.source : "curated"});
   out += csv_line({"any", "unseen", rounded_text(unseen_share(own)), real ? "derived:good-turing" : "curated"});
+  const auto low = floor_share(own);
+  out += csv_line({"any", "floor", rounded_text(low.value_or(kFloorShare)), low ? own.homes.source : "curated"});
   for (const std::string& room : room_types()) {
     for (const Category& category : own.knowledge->categories()) {
       if (!category.movable || cut.contains(category.name)) continue;

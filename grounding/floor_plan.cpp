@@ -4,15 +4,20 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <tuple>
+#include <utility>
+
+#include "grounding/room_doors.h"
 
 namespace unietp {
 namespace {
 
 constexpr double kShortestSide_m = 2.4, kCorridorSide_m = 1.7;
-constexpr double kLongestAspect = 2.2, kCorridorAspect = 9;
-constexpr double kOpeningMargin_m = 0.35;  // from a corner to the opening
-constexpr double kMoreOpenings = 0.3;      // chance of one that the tree does not need
-constexpr int kPassedThrough = 2;          // the highest passage of rooms that get one
+constexpr double kWidestCorridor_m = 2.1;
+constexpr double kLongestAspect = 2.2, kCorridorAspect = 10;
+constexpr double kOpeningMargin_m = 0.35;     // from a corner to the opening
+constexpr double kInRows = 0.45, kCut = 0.1;  // of homes with a corridor; the others have a wing
+constexpr const char* kCorridor = "corridor";
 
 struct Rect {
   Vec2 low = Vec2::Zero(), high = Vec2::Zero();
@@ -20,6 +25,12 @@ struct Rect {
 };
 
 double round_to_dm(double metres) { return std::round(metres * 10) / 10; }
+
+double area_of(const std::vector<std::size_t>& rooms, const std::vector<RoomRequest>& requests) {
+  double area = 0;
+  for (const std::size_t i : rooms) area += requests[i].area_m2;
+  return area;
+}
 
 /// Cuts `rect` among the places of `order` in proportion to their areas.
 void cut(const Rect& rect, std::vector<std::size_t> order, const std::vector<double>& areas, std::vector<Rect>& places,
@@ -75,69 +86,107 @@ std::optional<std::vector<Rect>> cut_plan(const std::vector<RoomRequest>& reques
   return places;
 }
 
-/// One row of rooms from x = 0 on; its depth follows from its length.
-void lay_row(const std::vector<std::size_t>& row, const std::vector<RoomRequest>& requests, double length, double low,
-             bool upwards, std::vector<Rect>& places) {
-  double area = 0, done = 0;
-  for (const std::size_t i : row) area += requests[i].area_m2;
-  const double depth = round_to_dm(area / length);
-  double from = 0;
+/// One row of rooms along x from `from` on.
+void lay_row(const std::vector<std::size_t>& row, const std::vector<RoomRequest>& requests, double from, double length,
+             double low, bool upwards, std::vector<Rect>& places) {
+  const double depth = round_to_dm(area_of(row, requests) / length);
+  double done = 0, left = from;
   for (const std::size_t i : row) {
     done += requests[i].area_m2;
-    const double to = round_to_dm(length * done / area);
-    places[i] = upwards ? Rect{{from, low}, {to, low + depth}} : Rect{{from, low - depth}, {to, low}};
-    from = to;
+    const double right = from + round_to_dm(length * done / area_of(row, requests));
+    places[i] = upwards ? Rect{{left, low}, {right, low + depth}} : Rect{{left, low - depth}, {right, low}};
+    left = right;
   }
 }
 
-/// Two rows of rooms along a corridor; nullopt without a corridor among the requests.
-std::optional<std::vector<Rect>> corridor_plan(const std::vector<RoomRequest>& requests, Rng& rng) {
-  std::vector<std::size_t> order;
-  std::optional<std::size_t> spine;
-  double area = 0;
-  for (std::size_t i = 0; i < requests.size(); ++i) {
-    if (!spine && requests[i].passage == 0) {
-      spine = i;
-      continue;
-    }
-    order.push_back(i);
-    area += requests[i].area_m2;
+/// The rooms but the first, which is the corridor, in a random order.
+struct AlongACorridor {
+  std::vector<std::size_t> living;  // kitchen, dining room and a living room, which are kept together
+  std::vector<std::size_t> others;
+};
+std::optional<AlongACorridor> along_a_corridor(const std::vector<RoomRequest>& requests, Rng& rng) {
+  if (requests.front().type != kCorridor) return std::nullopt;
+  AlongACorridor rooms;
+  bool living = false;
+  for (std::size_t i = 1; i < requests.size(); ++i) {
+    const std::string& type = requests[i].type;
+    const bool first = type == "living_room" && !std::exchange(living, living || type == "living_room");
+    (first || type == "kitchen" || type == "dining_room" ? rooms.living : rooms.others).push_back(i);
   }
-  if (!spine || order.size() < 4) return std::nullopt;
-  rng.shuffle(order);
-  std::vector<std::size_t> rows[2];
-  double sums[2] = {0, 0};
-  for (const std::size_t i : order) {
-    const int row = sums[0] <= sums[1] ? 0 : 1;
-    rows[row].push_back(i);
-    sums[row] += requests[i].area_m2;
-  }
+  if (rooms.living.empty() || rooms.others.size() < 2) return std::nullopt;
+  rng.shuffle(rooms.living);
+  rng.shuffle(rooms.others);
+  return rooms;
+}
+
+/// Each to the row that has less so far.
+void share_out(const std::vector<std::size_t>& rooms, const std::vector<RoomRequest>& requests,
+               std::vector<std::size_t>& upper, std::vector<std::size_t>& lower) {
+  for (const std::size_t i : rooms) (area_of(upper, requests) <= area_of(lower, requests) ? upper : lower).push_back(i);
+}
+
+/// Often the lower row ends earlier.
+double length_of_lower_row(double length, Rng& rng) {
+  return rng.chance(0.5) ? length : round_to_dm(length * rng.uniform(0.75, 0.95));
+}
+
+double corridor_width(const std::vector<RoomRequest>& requests, double length) {
+  return round_to_dm(std::clamp(requests.front().area_m2 / length, kCorridorSide_m, kWidestCorridor_m));
+}
+
+/// Two rows of rooms along a corridor as long as the longer of them.
+std::optional<std::vector<Rect>> rows_plan(const std::vector<RoomRequest>& requests, Rng& rng) {
+  auto rooms = along_a_corridor(requests, rng);
+  if (!rooms) return std::nullopt;
+  std::vector<std::size_t> upper = rooms->living, lower;
+  share_out(rooms->others, requests, upper, lower);
+  const auto living = static_cast<std::ptrdiff_t>(rooms->living.size());
+  const auto before = static_cast<std::ptrdiff_t>(rng.below(upper.size() - rooms->living.size() + 1));
+  std::rotate(upper.begin(), upper.begin() + living, upper.begin() + living + before);
+  const double area = area_of(upper, requests) + area_of(lower, requests);
   const double length = round_to_dm(std::sqrt(area * rng.uniform(1.3, 2.4)));
-  const double other = rng.chance(0.5) ? length : round_to_dm(length * rng.uniform(0.75, 0.95));
-  const double width = round_to_dm(std::clamp(requests[*spine].area_m2 / length, kCorridorSide_m, 2.1));
+  const double width = corridor_width(requests, length);
   std::vector<Rect> places(requests.size());
-  places[*spine] = {{0, 0}, {length, width}};
-  lay_row(rows[0], requests, length, width, true, places);
-  lay_row(rows[1], requests, other, 0, false, places);
+  places.front() = {{0, 0}, {length, width}};
+  lay_row(upper, requests, 0, length, width, true, places);
+  lay_row(lower, requests, 0, length_of_lower_row(length, rng), 0, false, places);
+  return places;
+}
+
+/// Kitchen, dining and living room across the whole depth of the home, and from there a corridor between two rows.
+std::optional<std::vector<Rect>> wing_plan(const std::vector<RoomRequest>& requests, Rng& rng) {
+  auto rooms = along_a_corridor(requests, rng);
+  if (!rooms) return std::nullopt;
+  std::vector<std::size_t> upper, lower;
+  share_out(rooms->others, requests, upper, lower);
+  const double length =
+      round_to_dm(std::sqrt((area_of(upper, requests) + area_of(lower, requests)) * rng.uniform(0.8, 2.0)));
+  const double width = corridor_width(requests, length);
+  std::vector<Rect> places(requests.size());
+  lay_row(upper, requests, 0, length, width, true, places);
+  lay_row(lower, requests, 0, length_of_lower_row(length, rng), 0, false, places);
+  places.front() = {{0, 0}, {length, width}};
+  const double low = places[lower.front()].low.y(), high = places[upper.front()].high.y();
+  const double across = round_to_dm(area_of(rooms->living, requests) / (high - low));
+  double done = 0, from = low;
+  for (const std::size_t i : rooms->living) {
+    done += requests[i].area_m2;
+    const double to = low + round_to_dm((high - low) * done / area_of(rooms->living, requests));
+    places[i] = {{-across, from}, {0, to}};
+    from = to;
+  }
   return places;
 }
 
 bool well_formed(const std::vector<Rect>& places, const std::vector<RoomRequest>& requests) {
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const bool corridor = requests[i].passage == 0;
+    const bool corridor = requests[i].type == kCorridor;
     const double shorter = places[i].size().minCoeff(), longer = places[i].size().maxCoeff();
     if (shorter < (corridor ? kCorridorSide_m : kShortestSide_m)) return false;
     if (longer > (corridor ? kCorridorAspect : kLongestAspect) * shorter) return false;
   }
   return true;
 }
-
-struct SharedWall {
-  std::size_t a, b;
-  int axis;         // the wall runs along this axis
-  double at;        // coordinate on the other axis
-  double from, to;  // along the wall
-};
 
 std::vector<SharedWall> shared_walls(const std::vector<Rect>& rooms) {
   std::vector<SharedWall> walls;
@@ -163,53 +212,33 @@ Vec2 point_on(const SharedWall& wall, double along) {
   return point;
 }
 
-/// A spanning tree over the shared walls, plus some more; empty when the rooms do not hang together.
-std::vector<SharedWall> choose_openings(std::vector<SharedWall> walls, const std::vector<RoomRequest>& requests,
-                                        Rng& rng) {
-  rng.shuffle(walls);
-  const auto cost = [&](const SharedWall& wall) {
-    const int a = requests[wall.a].passage, b = requests[wall.b].passage;
-    return 10 * std::min(a, b) + std::max(a, b);
-  };
-  std::stable_sort(walls.begin(), walls.end(),
-                   [&](const SharedWall& x, const SharedWall& y) { return cost(x) < cost(y); });
-  std::vector<std::size_t> group(requests.size());
-  std::iota(group.begin(), group.end(), 0);
-  std::vector<SharedWall> chosen;
-  for (const SharedWall& wall : walls) {
-    if (group[wall.a] != group[wall.b]) {
-      const std::size_t gone = group[wall.b];
-      std::replace(group.begin(), group.end(), gone, group[wall.a]);
-      chosen.push_back(wall);
-    } else if (std::max(requests[wall.a].passage, requests[wall.b].passage) <= kPassedThrough &&
-               rng.chance(kMoreOpenings)) {
-      chosen.push_back(wall);
+std::optional<std::vector<Rect>> draw_places(const std::vector<RoomRequest>& requests, Rng& rng) {
+  const double kind = rng.unit();
+  const bool cut = requests.front().type != kCorridor || kind < kCut;
+  auto places = cut                     ? cut_plan(requests, rng)
+                : kind < kCut + kInRows ? rows_plan(requests, rng)
+                                        : wing_plan(requests, rng);
+  if (!places) return std::nullopt;
+  const bool mirrored = rng.chance(0.5), turned = rng.chance(0.5);
+  for (Rect& place : *places) {
+    if (mirrored) std::tie(place.low.x(), place.high.x()) = std::pair(-place.high.x(), -place.low.x());
+    if (turned) {
+      std::swap(place.low.x(), place.low.y());
+      std::swap(place.high.x(), place.high.y());
     }
   }
-  const bool joined = std::all_of(group.begin(), group.end(), [&](std::size_t g) { return g == group.front(); });
-  return joined ? chosen : std::vector<SharedWall>{};
-}
-
-/// Whether a room that nobody walks through has two openings.
-bool leads_through_a_dead_end(const std::vector<SharedWall>& openings, const std::vector<RoomRequest>& requests) {
-  for (std::size_t room = 0; room < requests.size(); ++room) {
-    const auto doors = std::count_if(openings.begin(), openings.end(),
-                                     [&](const SharedWall& wall) { return wall.a == room || wall.b == room; });
-    if (requests[room].passage == kNoPassage && doors > 1) return true;
-  }
-  return false;
+  return places;
 }
 
 }  // namespace
 
 std::optional<FloorPlan> draw_floor_plan(const std::vector<RoomRequest>& requests, Rng rng) {
-  std::optional<std::vector<Rect>> rects;
-  if (rng.chance(0.65)) rects = corridor_plan(requests, rng);
-  if (!rects) rects = cut_plan(requests, rng);
+  const auto rects = draw_places(requests, rng);
   if (!rects || !well_formed(*rects, requests)) return std::nullopt;
-  const auto chosen = choose_openings(shared_walls(*rects), requests, rng);
-  if (chosen.empty() && requests.size() > 1) return std::nullopt;
-  if (leads_through_a_dead_end(chosen, requests)) return std::nullopt;
+  std::vector<std::string> types;
+  for (const RoomRequest& request : requests) types.push_back(request.type);
+  const auto chosen = choose_openings(types, shared_walls(*rects), rng);
+  if (!chosen) return std::nullopt;
   Vec2 corner = rects->front().low;
   for (const Rect& rect : *rects) corner = corner.cwiseMin(rect.low);
 
@@ -221,27 +250,47 @@ std::optional<FloorPlan> draw_floor_plan(const std::vector<RoomRequest>& request
     plan.rooms.push_back(
         {type + "_" + std::to_string(++numbers[type]), type, {low, {high.x(), low.y()}, high, {low.x(), high.y()}}});
   }
-  for (const SharedWall& wall : chosen) {
+  for (const SharedWall& wall : *chosen) {
     const double from = rng.uniform(wall.from + kOpeningMargin_m, wall.to - kOpeningMargin_m - kOpeningWidth_m);
     plan.openings.push_back({"opening_" + std::to_string(plan.openings.size() + 1), plan.rooms[wall.a].id,
                              plan.rooms[wall.b].id, point_on(wall, from) - corner,
                              point_on(wall, from + kOpeningWidth_m) - corner, 2.0});
   }
+  if (!entrance_of(plan.rooms)) return std::nullopt;
   return plan;
 }
 
-std::vector<WallStretch> outer_walls(const Scene& scene, std::size_t room) {
+std::optional<Entrance> entrance_of(const std::vector<Room>& rooms) {
+  constexpr double kLeast_m = kOpeningWidth_m + 0.4;
+  std::optional<WallStretch> best;
+  const Bounds bounds = room_bounds(rooms.front(), 1);
+  const auto length = [&](const WallStretch& wall) { return bounds.high[wall.side % 2] - bounds.low[wall.side % 2]; };
+  for (const WallStretch& wall : outer_walls(rooms, 0)) {
+    if (wall.to - wall.from < kLeast_m) continue;
+    if (!best || length(wall) < length(*best)) best = wall;
+  }
+  if (!best) return std::nullopt;
+  const int along = best->side % 2, across = 1 - along;
+  const bool low_side = best->side == 0 || best->side == 3;
+  Entrance entrance;
+  entrance.at[along] = (best->from + best->to) / 2;
+  entrance.at[across] = low_side ? bounds.low[across] : bounds.high[across];
+  entrance.inward[across] = low_side ? 1 : -1;
+  return entrance;
+}
+
+std::vector<WallStretch> outer_walls(const std::vector<Room>& rooms, std::size_t room) {
   constexpr double kSame_m = 0.02;
-  const Bounds own = room_bounds(scene.rooms[room], 1);
+  const Bounds own = room_bounds(rooms[room], 1);
   std::vector<WallStretch> outer;
   for (int side = 0; side < 4; ++side) {
     const int across = side % 2 == 0 ? 1 : 0, along = 1 - across;
     const bool low_side = side == 0 || side == 3;
     const double at = low_side ? own.low[across] : own.high[across];
     std::vector<std::pair<double, double>> behind;
-    for (std::size_t i = 0; i < scene.rooms.size(); ++i) {
+    for (std::size_t i = 0; i < rooms.size(); ++i) {
       if (i == room) continue;
-      const Bounds other = room_bounds(scene.rooms[i], 1);
+      const Bounds other = room_bounds(rooms[i], 1);
       if (std::abs((low_side ? other.high[across] : other.low[across]) - at) > kSame_m) continue;
       behind.emplace_back(other.low[along], other.high[along]);
     }

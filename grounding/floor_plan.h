@@ -19,22 +19,19 @@ struct FloorPlan {
   std::vector<Opening> openings;
 };
 
-/// The passage of a room that nobody walks through.
-inline constexpr int kNoPassage = 5;
-
 /// A room that a plan shall have.
 struct RoomRequest {
   std::string type;
-  double area_m2 = 0;  // met within a sixth or so
-  int passage = 3;     // from 0, a corridor, to kNoPassage: the higher, the less people like to walk through it
+  double area_m2 = 0;  // met within a sixth or so; a corridor gets the length and width that its plan needs
 };
 
-/// Stage: requests → rooms that share walls and do not overlap, joined by openings so that all hang together. Two kinds
-/// of plan: a rectangle cut in two again and again, at times with a piece cut off, and, where a corridor is requested,
-/// two rows of rooms along it, of which one may be shorter. Openings: a spanning tree that prefers rooms of a low
-/// passage and goes through none of kNoPassage; a few more between rooms that people pass through. Rooms come in the
-/// order of the requests, axis-parallel rectangles with corners at whole decimetres; ids are type_1, type_2, …. nullopt
-/// when this draw gives a room that is too narrow or cannot be joined so. Deterministic in rng.
+/// Stage: requests → rooms that share walls and do not overlap, joined by openings as choose_openings says. With a
+/// corridor among them three kinds of plan: two rows of rooms along it, of which one may be shorter; kitchen, dining
+/// and living room across the whole depth at one end of a shorter one; seldom a rectangle cut in two again and again,
+/// at times with a piece cut off, which is also the kind without a corridor. The first request is the room that one
+/// enters the home by: it has an outer wall. Rooms come in the order of the requests, axis-parallel rectangles with
+/// corners at whole decimetres; ids are type_1, type_2, …. nullopt when this draw gives a room that is too narrow or
+/// cannot be joined so. Deterministic in rng.
 std::optional<FloorPlan> draw_floor_plan(const std::vector<RoomRequest>& requests, Rng rng);
 
 /// A part of a room's wall, seen from inside: side 0 is the wall at the low y, 1 at the high x, 2 at the high y, 3 at
@@ -44,6 +41,15 @@ struct WallStretch {
   double from = 0, to = 0;
 };
 /// The parts of a rectangular room's walls that have no other room behind them.
-std::vector<WallStretch> outer_walls(const Scene& scene, std::size_t room);
+std::vector<WallStretch> outer_walls(const std::vector<Room>& rooms, std::size_t room);
+
+/// Where one comes in.
+struct Entrance {
+  Vec2 at = Vec2::Zero();      // in the middle of the front door, on the first room's polygon
+  Vec2 inward = Vec2::Zero();  // unit vector away from the wall
+};
+/// Of a home of rectangular rooms: in an outer wall of the first room, of the shortest walls that have room for a door,
+/// so at the end of a corridor. nullopt when none has.
+std::optional<Entrance> entrance_of(const std::vector<Room>& rooms);
 
 }  // namespace unietp

@@ -21,7 +21,13 @@ constexpr double kAisle_m = 0.75;         // around what stands free
 constexpr double kRestGap_m = 0.002;
 constexpr double kFurnitureMargin_m = 0.02;
 constexpr double kUnderCeiling_m = 0.01;
-constexpr double kInRow = 0.5;     // how often what stands at a wall is tried next to another piece first
+constexpr double kInRow = 0.5;       // how often what stands at a wall is tried next to another piece first
+constexpr double kInRun = 0.85;      // how often the next piece of a run is
+constexpr double kFreeSide_m = 0.5;  // of what stands free: from each side to the room's edge
+constexpr double kBetweenSeats_m = 0.08, kSeat_m = 0.55;  // depth of a chair at a table
+constexpr double kDesk_m = 0.8;                           // least width of what one sits at
+constexpr double kNeighbour_m = 0.06, kInRun_m = 0.02;    // farthest from the neighbour
+constexpr double kAside_m = 0.25;                         // of what faces a piece, from its middle
 constexpr double kAbove_m = 0.25;  // of what treats a thing that stands on it: more than a pot's height
 constexpr double kLidLean = 0.36;  // how far an open lid stands out behind, as a share of its length
 
@@ -102,11 +108,11 @@ std::optional<Vec3> draw_on_top(const Node& host, const Node& node, Rng& rng) {
   return top.centre + Vec3(rng.uniform(-1, 1) * slack.x(), slack.y() - back, node.size.z() / 2 + kRestGap_m);
 }
 
-/// Pose next to a host, backs in line, on the floor.
-Pose beside(const Node& host, const Node& node, Rng& rng) {
+/// Pose next to a host, backs in line, on the floor, at most `gap` away.
+Pose beside(const Node& host, const Node& node, double gap, Rng& rng) {
   const Vec3 half = host.size / 2, own = node.size / 2;
   const double side = rng.chance(0.5) ? 1 : -1;
-  const Vec3 spot(side * (half.x() + own.x() + rng.uniform(0.015, 0.06)), half.y() - own.y(),
+  const Vec3 spot(side * (half.x() + own.x() + rng.uniform(0.015, gap)), half.y() - own.y(),
                   own.z() - host.pose.position.z());
   return host.pose * Pose{spot, Quat::Identity()};
 }
@@ -128,14 +134,56 @@ std::vector<std::size_t> row_mates(const Workspace& workspace, std::size_t room)
 /// The pieces in the room that it may stand by.
 std::vector<std::size_t> company_in(const Workspace& workspace, std::size_t room, const FurniturePosition& where) {
   using enum FurniturePosition::Kind;
-  if (where.kind == Wall) return row_mates(workspace, room);
+  if (where.kind == Wall || where.kind == Run) return row_mates(workspace, room);
   const bool alone = where.kind == Corner || where.kind == WallHung || where.kind == OuterWall ||
                      where.kind == Ceiling || where.kind == Centre;
   return alone ? std::vector<std::size_t>() : hosts_in(workspace, room, where.host);
 }
 
-std::optional<Candidate> draw_at_host(const Workspace& workspace, const std::vector<std::size_t>& hosts,
-                                      const Node& node, const FurniturePosition& where, Rng& rng) {
+bool stands_free(const Node& piece, const Bounds& room) {
+  const Bounds box = bounds_of(piece.pose, piece.size);
+  return ((box.low - room.low).head<2>().array() > kFreeSide_m).all() &&
+         ((room.high - box.high).head<2>().array() > kFreeSide_m).all();
+}
+
+/// Around what stands free, facing it, at one of the places along its sides; else before it.
+Pose draw_seat(const Node& host, const Node& node, bool free, Rng& rng) {
+  const Vec3 half = host.size / 2, own = node.size / 2;
+  const auto places = [&](int along) {
+    const double each = node.size.x() + kBetweenSeats_m;
+    return std::max(1, static_cast<int>((2 * half[along] + kBetweenSeats_m) / each));
+  };
+  const int at_back_or_front = places(0), at_a_side = free ? places(1) : 0;
+  const std::array<double, 4> weights{double(at_back_or_front), double(at_a_side), double(free ? at_back_or_front : 0),
+                                      double(at_a_side)};
+  const Vec2 outward = -inward_normal(rng.weighted(weights));  // side 0 has its wall at the low y, which is the front
+  const int across = outward.x() != 0 ? 0 : 1, along = 1 - across;
+  const int count = places(along);
+  const double slot = 2 * half[along] / count;
+  Vec3 spot;
+  spot[across] = outward[across] * (half[across] + own.y() + rng.uniform(0.04, 0.1));
+  spot[along] = (static_cast<double>(rng.below(static_cast<std::uint64_t>(count))) + 0.5) * slot - half[along];
+  spot.z() = own.z() - host.pose.position.z();
+  return host.pose * upright(spot, yaw_facing(-outward));
+}
+
+/// At the wall that a piece looks at, in its middle; nullopt when it looks at none straight.
+std::optional<Pose> opposite(const Node& host, const Bounds& room, const Node& node, double bottom, Rng& rng) {
+  const Vec2 front = (host.pose.rotation * Vec3(0, -1, 0)).head<2>();
+  for (std::uint64_t side = 0; side < 4; ++side) {
+    if (inward_normal(side).dot(front) > -0.99) continue;
+    const WallStretch wall = whole_wall(room, side);
+    const double least = kFromWall_m + node.size.x() / 2, space = wall.to - wall.from - 2 * least;
+    const double at = host.pose.position[side % 2 == 0 ? 0 : 1] + rng.uniform(-kAside_m, kAside_m) - wall.from - least;
+    if (space <= 0 || at < 0 || at > space) return std::nullopt;
+    return at_wall(room, wall, at / space, node, bottom);
+  }
+  return std::nullopt;
+}
+
+std::optional<Candidate> draw_at_host(const Workspace& workspace, std::size_t room,
+                                      const std::vector<std::size_t>& hosts, const Node& node,
+                                      const FurniturePosition& where, Rng& rng) {
   if (hosts.empty()) return std::nullopt;
   const std::size_t index = rng.pick(hosts);
   const Node& host = workspace.scene().nodes[index];
@@ -152,20 +200,19 @@ std::optional<Candidate> draw_at_host(const Workspace& workspace, const std::vec
                     half.z() + where.height_m.value_or(0.02) + own.z());
     return Candidate{host.pose * Pose{spot, Quat::Identity()}, index};
   }
-  if (where.kind == FurniturePosition::Kind::Beside) return Candidate{beside(host, node, rng), index};
+  if (where.kind == FurniturePosition::Kind::Beside) return Candidate{beside(host, node, kNeighbour_m, rng), index};
   if (where.kind == FurniturePosition::Kind::Before) {
     const double aside = rng.uniform(-0.5, 0.5) * std::max(0.0, half.x() - own.x());
     const Vec3 spot(aside, -half.y() - own.y() - rng.uniform(0.35, 0.5), on_floor);
     return Candidate{host.pose * Pose{spot, Quat::Identity()}, index};
   }
-  // Around it, facing it: before it as often as on all four sides together.
-  const Vec2 outward = rng.chance(0.5) ? Vec2(0, -1) : inward_normal(rng.below(4));
-  const int across = outward.x() != 0 ? 0 : 1, along = 1 - across;
-  Vec3 spot;
-  spot[across] = outward[across] * (half[across] + own.y() + rng.uniform(0.04, 0.1));
-  spot[along] = rng.uniform(-1, 1) * std::max(0.0, half[along] - own.x());
-  spot.z() = on_floor;
-  return Candidate{host.pose * upright(spot, yaw_facing(-outward)), index};
+  const Bounds bounds = room_bounds(workspace.scene().rooms[room], workspace.scene().wall_height);
+  if (where.kind == FurniturePosition::Kind::Facing) {
+    const auto pose = opposite(host, bounds, node, where.height_m.value_or(0), rng);
+    if (!pose) return std::nullopt;
+    return Candidate{*pose, std::nullopt};
+  }
+  return Candidate{draw_seat(host, node, stands_free(host, bounds), rng), index};
 }
 
 /// `company`: company_in that room.
@@ -182,15 +229,19 @@ std::optional<Candidate> draw_candidate(const Workspace& workspace, std::size_t 
   switch (where.kind) {
     case FurniturePosition::Kind::Wall:
       if (rng.chance(kInRow) && !company.empty())
-        return Candidate{beside(scene.nodes[rng.pick(company)], node, rng), std::nullopt};
+        return Candidate{beside(scene.nodes[rng.pick(company)], node, kNeighbour_m, rng), std::nullopt};
       return against(whole_wall(bounds, rng.below(4)), rng.unit(), 0);
+    case FurniturePosition::Kind::Run:
+      if (rng.chance(kInRun) && !company.empty())
+        return Candidate{beside(scene.nodes[rng.pick(company)], node, kInRun_m, rng), std::nullopt};
+      return against(whole_wall(bounds, rng.below(4)), rng.chance(0.5) ? 0.0 : 1.0, 0);
     case FurniturePosition::Kind::Corner:
       return against(whole_wall(bounds, rng.below(4)), rng.chance(0.5) ? 0.0 : 1.0, 0);
     case FurniturePosition::Kind::WallHung:
       return against(whole_wall(bounds, rng.below(4)), rng.unit(),
                      where.height_m.value_or(default_height(node, scene.wall_height)));
     case FurniturePosition::Kind::OuterWall: {
-      const auto walls = outer_walls(scene, room);
+      const auto walls = outer_walls(scene.rooms, room);
       if (walls.empty()) return std::nullopt;
       return against(rng.pick(walls), rng.unit(), where.height_m.value_or(default_height(node, scene.wall_height)));
     }
@@ -213,7 +264,7 @@ std::optional<Candidate> draw_candidate(const Workspace& workspace, std::size_t 
       return Candidate{upright(position, yaw), std::nullopt};
     }
     default:
-      return draw_at_host(workspace, company, node, where, rng);
+      return draw_at_host(workspace, room, company, node, where, rng);
   }
 }
 
@@ -257,7 +308,8 @@ std::vector<Bounds> own_keep_outs(const Knowledge& knowledge, const Node& node, 
 }
 
 bool backs_onto_a_wall(FurniturePosition::Kind kind) {
-  return kind == FurniturePosition::Kind::Wall || kind == FurniturePosition::Kind::Corner ||
+  return kind == FurniturePosition::Kind::Wall || kind == FurniturePosition::Kind::Run ||
+         kind == FurniturePosition::Kind::Corner || kind == FurniturePosition::Kind::Facing ||
          kind == FurniturePosition::Kind::WallHung || kind == FurniturePosition::Kind::OuterWall ||
          kind == FurniturePosition::Kind::Beside;
 }
@@ -292,6 +344,19 @@ bool keeps_out(const std::vector<KeepOut>& keep_outs, const Bounds& room, const 
   });
 }
 
+/// Whether chairs would find room around what stands in the middle, or before a table or desk at a wall.
+bool has_room_for_seats(const std::vector<KeepOut>& keep_outs, const Node& table, FurniturePosition::Kind where) {
+  const bool at_wall = where == FurniturePosition::Kind::Wall && table.archetype == Archetype::Table;
+  if (where != FurniturePosition::Kind::Centre && (!at_wall || table.size.x() < kDesk_m)) return true;
+  Bounds around = at_wall ? front_of(table, kSeat_m) : bounds_of(table.pose, table.size);
+  if (!at_wall) {
+    around.low.head<2>().array() -= kSeat_m;
+    around.high.head<2>().array() += kSeat_m;
+  }
+  return std::none_of(keep_outs.begin(), keep_outs.end(),
+                      [&](const KeepOut& keep_out) { return overlap(keep_out.space, around); });
+}
+
 /// The costly checks: what it needs free is free, it touches nothing and its doors open.
 bool fits(const Workspace& workspace, const Bounds& room, const Node& node, const Shape& shape,
           std::optional<std::size_t> host, const std::vector<Bounds>& own_spaces) {
@@ -322,6 +387,15 @@ std::vector<KeepOut> keep_outs_at_openings(const Scene& scene) {
   return keep_outs;
 }
 
+KeepOut keep_out_at_entrance(const Scene& scene) {
+  const auto entrance = entrance_of(scene.rooms);
+  if (!entrance) return {};
+  const Vec2 along = kOpeningWidth_m / 2 * Vec2(entrance->inward.y(), entrance->inward.x());
+  const Vec2 a = entrance->at - along, b = entrance->at + along + kDoorwayDepth_m * entrance->inward;
+  const Vec2 low = a.cwiseMin(b), high = a.cwiseMax(b);
+  return {{{low.x(), low.y(), 0}, {high.x(), high.y(), kPassage_m}}, std::nullopt};
+}
+
 std::vector<KeepOut> keep_outs_of(const Workspace& workspace, const FurnishOptions& options, std::size_t room) {
   const Scene& scene = workspace.scene();
   std::vector<KeepOut> keep_outs = keep_outs_at_openings(scene);
@@ -348,6 +422,7 @@ bool place_furniture(Workspace& workspace, std::vector<KeepOut>& keep_outs, std:
     if (!candidate) continue;
     node.pose = candidate->pose;
     if (!keeps_out(keep_outs, bounds, bounds_of(shape, node.pose, 0), candidate->host)) continue;
+    if (!has_room_for_seats(keep_outs, node, where.kind)) continue;
     const auto spaces =
         own_keep_outs(workspace.knowledge(), node, sweep_of(node), backs_onto_a_wall(where.kind), options);
     if (!fits(workspace, bounds, node, shape, candidate->host, spaces)) continue;

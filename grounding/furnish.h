@@ -25,6 +25,8 @@ struct KeepOut {
 
 /// Space before the openings of a scene.
 std::vector<KeepOut> keep_outs_at_openings(const Scene& scene);
+/// Space inside the entrance of a generated home.
+KeepOut keep_out_at_entrance(const Scene& scene);
 /// All keep-outs of a furnished scene that what stands in a room may come into: openings, fronts, sweeps and what
 /// lies above devices that things are put on.
 std::vector<KeepOut> keep_outs_of(const Workspace& workspace, const FurnishOptions& options, std::size_t room);

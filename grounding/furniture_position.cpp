@@ -11,7 +11,9 @@ namespace {
 
 constexpr double kHighest_m = 2.5;
 using Kind = FurniturePosition::Kind;
-constexpr std::array<std::pair<std::string_view, Kind>, 11> kKinds{{{"wall", Kind::Wall},
+constexpr std::array<std::pair<std::string_view, Kind>, 13> kKinds{{{"wall", Kind::Wall},
+                                                                    {"run", Kind::Run},
+                                                                    {"facing", Kind::Facing},
                                                                     {"corner", Kind::Corner},
                                                                     {"centre", Kind::Centre},
                                                                     {"wall-hung", Kind::WallHung},
@@ -24,9 +26,12 @@ constexpr std::array<std::pair<std::string_view, Kind>, 11> kKinds{{{"wall", Kin
                                                                     {"above", Kind::Above}}};
 
 bool takes_host(Kind kind) {
-  return kind == Kind::On || kind == Kind::At || kind == Kind::Beside || kind == Kind::Before || kind == Kind::Above;
+  return kind == Kind::On || kind == Kind::At || kind == Kind::Beside || kind == Kind::Before || kind == Kind::Facing ||
+         kind == Kind::Above;
 }
-bool takes_height(Kind kind) { return kind == Kind::WallHung || kind == Kind::OuterWall || kind == Kind::Above; }
+bool takes_height(Kind kind) {
+  return kind == Kind::WallHung || kind == Kind::OuterWall || kind == Kind::Facing || kind == Kind::Above;
+}
 
 }  // namespace
 

@@ -10,6 +10,7 @@ namespace unietp {
 struct FurniturePosition {
   enum class Kind {
     Wall,       // back to a wall
+    Run,        // back to a wall, in one row with the room's other such pieces, which begins in a corner
     Corner,     // back to a wall, side to another
     Centre,     // free in the room
     WallHung,   // on a wall; `wall-hung:0.5` with its lower edge 0.5 m over the floor
@@ -19,11 +20,12 @@ struct FurniturePosition {
     At,         // `at:DiningTable`: standing around it, facing it
     Beside,     // `beside:Bed`: next to it along the wall
     Before,     // `before:Sofa`: an arm's length in front of it
+    Facing,     // `facing:Sofa`: at the wall that it looks at, in its middle; `facing:Sofa:0.95` hung there
     Above,      // `above:Sink:0.02`: over its back edge, that much higher
   };
   Kind kind = Kind::Wall;
-  std::string host;                // category, of On, At, Beside, Above
-  std::optional<double> height_m;  // of WallHung, OuterWall and Above
+  std::string host;                // category, of On, At, Beside, Before, Facing, Above
+  std::optional<double> height_m;  // of WallHung, OuterWall, Facing and Above
 };
 /// nullopt when the text is none of these.
 std::optional<FurniturePosition> parse_furniture_position(std::string_view text);

@@ -42,6 +42,9 @@ Household::Household(const Knowledge& knowledge, const CommonSense& sense, Start
         const double score = sense.grade({std::string(kind), {}, {}}, "in_room:" + type).score;
         suits[type] = score * score;
       }
+      const Sense lying = sense.grade({std::string(kind), {}, {}}, "on:floor");
+      const bool toy = kinds_.is_a(kind, "toy") && !kinds_.is_a(kind, "game");
+      on_floor_[std::string(kind)] = lying.grade == Grade::Usual || toy ? lying.score : 0;
     }
     const auto& all = usual.of(category.name);
     if (all.empty()) continue;
@@ -90,6 +93,11 @@ double Household::in_room(std::string_view category, std::string_view room) cons
 
 bool Household::keeps(std::string_view category, std::string_view receptacle, std::string_view room) const {
   return in_room(category, room) >= (put_away_.contains(receptacle) ? kUsualRoom : kNoRoom);
+}
+
+double Household::on_floor(std::string_view category) const {
+  const auto found = on_floor_.find(kind_of(category));
+  return found == on_floor_.end() ? 0 : found->second;
 }
 
 std::string_view Household::kind_of(std::string_view category) const {

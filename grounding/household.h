@@ -42,6 +42,9 @@ class Household {
   /// Whether things of the category are kept on or in a receptacle that stands in such a room. What stands about is in
   /// any room that suits it at times; into places of PlaceUse::PutAway it goes only in rooms where it usually is.
   bool keeps(std::string_view category, std::string_view receptacle, std::string_view room) const;
+  /// How usual it is that things of a movable category are on the floor, from 0 to 1: 0 unless CommonSense calls it
+  /// usual, but toys are left there at times.
+  double on_floor(std::string_view category) const;
   /// The share of things of the category that are in a state at a place; a little when nobody spoke of it. `receptacle`
   /// "": wherever it is.
   double share(std::string_view category, Predicate relation, std::string_view receptacle, const State& state) const;
@@ -66,6 +69,7 @@ class Household {
   std::set<std::string, std::less<>> put_away_;           // receptacles of PlaceUse::PutAway
   std::map<std::string, std::vector<Place>, std::less<>> places_;
   std::map<std::string, std::map<std::string, double, std::less<>>, std::less<>> rooms_;  // by kind, then type of room
+  std::map<std::string, double, std::less<>> on_floor_;                                   // by kind
 };
 
 /// The household of a simulator from the tables of data/sense. Errors: the first of those tables.

@@ -1,6 +1,7 @@
 #include "grounding/reachability.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "grounding/floor_plan.h"
 #include "simulation/standing.h"
@@ -9,6 +10,7 @@ namespace unietp {
 namespace {
 
 constexpr double kReachReserve_m = 0.02;
+constexpr double kInsideTheDoor_m = 0.5;
 
 /// True when a place right before the middle of the piece will do, as it does for most.
 bool reached_from_the_front(const Scene& scene, const PhysicsWorld& world, const Profile& profile, const Walk& walk,
@@ -43,13 +45,14 @@ Walk walk_in(const Scene& scene, const Profile& profile) {
   return {std::move(grid), std::move(reached), {}};
 }
 
-bool stand_in_first_room(Scene& scene, const NavigationGrid& grid) {
-  if (scene.rooms.empty()) return false;
-  const Bounds room = room_bounds(scene.rooms.front(), scene.wall_height);
-  const auto cell = grid.nearest_free(((room.low + room.high) / 2).head<2>());
+bool stand_at_entrance(Scene& scene, const NavigationGrid& grid) {
+  const auto entrance = entrance_of(scene.rooms);
+  if (!entrance) return false;
+  const auto cell = grid.nearest_free(entrance->at + kInsideTheDoor_m * entrance->inward);
   if (!cell || !contains(scene.rooms.front().polygon, grid.centre(*cell))) return false;
   scene.agent = {};
   scene.agent.position = grid.centre(*cell);
+  scene.agent.yaw = std::atan2(entrance->inward.y(), entrance->inward.x());
   return true;
 }
 

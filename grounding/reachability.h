@@ -16,9 +16,9 @@ namespace unietp {
 /// Where the agent can walk in a scene, from where it stands.
 Walk walk_in(const Scene& scene, const Profile& profile);
 
-/// Puts the agent on the free cell nearest to the middle of the first room, facing along an axis towards the room's
-/// longer side. False when the scene has no free cell in that room.
-bool stand_in_first_room(Scene& scene, const NavigationGrid& grid);
+/// Puts the agent inside the entrance (entrance_of) of a generated home, its back to the front door. False when it has
+/// no entrance or the scene has no free cell in the room there.
+bool stand_at_entrance(Scene& scene, const NavigationGrid& grid);
 
 /// Id of the first room of which the agent cannot walk to most of the free floor, or nullopt. Rooms whose floor is full
 /// count as not reached. `walk`: of the scene.

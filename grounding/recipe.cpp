@@ -7,14 +7,12 @@
 #include "akb/table_words.h"
 #include "akb/tables.h"
 #include "core/files.h"
-#include "grounding/floor_plan.h"
 #include "grounding/furniture_position.h"
 
 namespace unietp {
 namespace {
 
-const std::vector<std::string> kRoomColumns{"room",     "weight",    "at_least", "at_most",
-                                            "area_low", "area_high", "passage",  "source"};
+const std::vector<std::string> kRoomColumns{"room", "weight", "at_least", "at_most", "area_low", "area_high", "source"};
 const std::vector<std::string> kFurnitureColumns{"room", "category", "mean", "at_least", "at_most", "where", "source"};
 const std::vector<std::string> kObjectColumns{"room", "category", "mean", "source"};
 const std::vector<std::string> kReceptacleColumns{"category", "mean", "source"};
@@ -39,8 +37,6 @@ class RecipeReader {
       rule.at_most = row.integer("at_most", std::max(rule.at_least, 1));
       rule.area_low_m2 = row.number("area_low", 0, kMostArea_m2, false);
       rule.area_high_m2 = row.number("area_high", std::max(rule.area_low_m2, 0.0), kMostArea_m2, true);
-      rule.passage = row.integer("passage", 0);
-      if (rule.passage > kNoPassage) row.fail("passage", "expected a whole number from 0 to 5");
       if (rule.at_most > kMostOfAKind) row.fail("at_most", "expected a whole number up to 20");
       if (!types_.insert(rule.type).second) row.fail("room", "'" + rule.type + "' occurs twice");
       recipe_.rooms.push_back(std::move(rule));
@@ -67,8 +63,8 @@ class RecipeReader {
       const auto where = parse_furniture_position(rule.where);
       if (!where) {
         row.fail("where",
-                 "expected wall, corner, centre, ceiling, wall-hung[:metres], outer-wall[:metres], on:, at:, "
-                 "beside:, before: or above:<category>[:metres], got '" +
+                 "expected wall, run, corner, centre, ceiling, wall-hung[:metres], outer-wall[:metres], on:, at:, "
+                 "beside:, before:, facing: or above:<category>[:metres], got '" +
                      rule.where + "'");
       } else if (!where->host.empty() && !listed.contains(rule.room + "/" + where->host)) {
         row.fail("where", "'" + where->host + "' must be listed above for the same room");
@@ -83,6 +79,10 @@ class RecipeReader {
     each("_objects.csv", text, kObjectColumns, [&](RowReader& row) {
       if (row.text("room") == "any" && row.text("category") == "unseen") {
         recipe_.unseen_share = row.number("mean", 0, 1, true);
+        return;
+      }
+      if (row.text("room") == "any" && row.text("category") == "floor") {
+        recipe_.floor_share = row.number("mean", 0, 0.5, true);
         return;
       }
       if (row.text("room") == "any" && row.text("category") == "all") {

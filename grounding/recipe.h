@@ -18,7 +18,6 @@ struct RoomRule {
   double weight = 0;  // mean number in a home; only the proportions count
   int at_least = 0, at_most = 4;
   double area_low_m2 = 9, area_high_m2 = 20;
-  int passage = 3;  // as in RoomRequest
 };
 
 /// A piece of furniture in rooms of a type; data/layouts/<simulator>.csv.
@@ -44,6 +43,7 @@ struct LayoutRecipe {
   std::vector<ObjectRule> objects;
   double movable_share = 0.4;                  // of a home's objects that are small things
   double unseen_share = 0;                     // of small things that are of a category without a rule
+  double floor_share = 0;                      // of small things that lie on a floor
   std::map<std::string, double> held;          // receptacle category → mean number of things on or in one
   std::shared_ptr<const Household> household;  // nullptr: things are placed as the knowledge base says, mostly default
 };

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "grounding/divergence.h"
+
 namespace unietp {
 namespace {
 
@@ -13,42 +15,6 @@ template <class Key>
 void divide(std::map<Key, double>& sums, double by) {
   if (by <= 0) return;
   for (auto& [key, sum] : sums) sum /= by;
-}
-
-template <class Key>
-double total(const std::map<Key, double>& values) {
-  double sum = 0;
-  for (const auto& [key, value] : values) sum += value;
-  return sum;
-}
-
-template <class Key>
-double value_or_zero(const std::map<Key, double>& values, const Key& key) {
-  const auto found = values.find(key);
-  return found == values.end() ? 0 : found->second;
-}
-
-template <class Key>
-std::set<Key> keys_of(const std::map<Key, double>& a, const std::map<Key, double>& b) {
-  std::set<Key> keys;
-  for (const auto& [key, value] : a) keys.insert(key);
-  for (const auto& [key, value] : b) keys.insert(key);
-  return keys;
-}
-
-double half_divergence(double p, double q) { return p <= 0 ? 0 : p * std::log2(2 * p / (p + q)); }
-
-/// Jensen-Shannon, in bits; the values are made to add up to 1 first. nullopt when one side has nothing.
-template <class Key>
-std::optional<double> divergence(const std::map<Key, double>& a, const std::map<Key, double>& b) {
-  const double sum_a = total(a), sum_b = total(b);
-  if (sum_a <= 0 || sum_b <= 0) return std::nullopt;
-  double bits = 0;
-  for (const Key& key : keys_of(a, b)) {
-    const double p = value_or_zero(a, key) / sum_a, q = value_or_zero(b, key) / sum_b;
-    bits += (half_divergence(p, q) + half_divergence(q, p)) / 2;
-  }
-  return bits;
 }
 
 std::optional<double> relative_difference(double a, double b) {

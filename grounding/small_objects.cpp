@@ -226,7 +226,7 @@ class Scatterer {
       const double crowd = carried == carried_.end() ? 0 : static_cast<double>(carried->second.size()) / (mean + 1);
       const bool carried_about = workspace_.household() != nullptr && workspace_.scene().nodes[node].movable;
       const double share = likelihood * (carried_about ? kOnMovable : 1) / static_cast<double>(there->second.size());
-      hosts.push_back({node, relation, share / (1 + crowd)});
+      hosts.push_back({node, relation, share / (1 + crowd + crowd * crowd * crowd)});
     }
   }
 

@@ -119,6 +119,11 @@ TEST_F(GoingOn, LooksAroundFromWhereItStands) {
   }
   EXPECT_FALSE(way_to_see(episode, "laptop_1", Viewpoint::Here)) << "in the other room";
   EXPECT_TRUE(way_to_see(episode, "laptop_1"));
+  std::size_t one = 1, many = 10'000;
+  EXPECT_FALSE(way_to_see(episode, "laptop_1", Viewpoint::Anywhere, &one)) << "looked from one pose only";
+  EXPECT_EQ(one, 0u);
+  EXPECT_TRUE(way_to_see(episode, "laptop_1", Viewpoint::Anywhere, &many));
+  EXPECT_LT(many, 10'000u);
 }
 
 /// The house with vessels of which the sink fills one kind only.

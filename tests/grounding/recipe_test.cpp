@@ -26,10 +26,9 @@ class BadRecipe : public ::testing::Test {
  protected:
   static RecipeTexts sound() {
     return {
-        "room,weight,at_least,at_most,area_low,area_high,passage,source\nkitchen,1,1,1,10,20,2,curated\nbedroom,1,1,4,"
-        "10,20,"
-        "3,curated\n"
-        "bathroom,1,1,3,10,20,5,curated\nliving_room,1,1,2,10,20,1,curated\n",
+        "room,weight,at_least,at_most,area_low,area_high,source\nkitchen,1,1,1,10,20,curated\nbedroom,1,1,4,"
+        "10,20,curated\n"
+        "bathroom,1,1,3,10,20,curated\nliving_room,1,1,2,10,20,curated\n",
         "room,category,mean,at_least,at_most,where,source\nkitchen,Sink,1,1,1,wall,curated\n",
         "room,category,mean,source\nany,unseen,0.1,curated\nkitchen,Mug,1,curated\n",
         "category,mean,source\nFridge,2,curated\n"};
@@ -73,20 +72,18 @@ TEST_F(BadRecipe, IsReportedWithLineColumnAndWhatIsAccepted) {
   EXPECT_EQ(furniture("kitchen,Fridge,3,1,2,wall,curated"),
             "ai2thor.csv:3:16: schema error: expected a number from at_least to at_most");
   EXPECT_EQ(furniture("kitchen,Fridge,1,1,1,roof,curated"),
-            "ai2thor.csv:3:22: schema error: expected wall, corner, centre, ceiling, wall-hung[:metres], "
-            "outer-wall[:metres], on:, at:, beside:, before: or above:<category>[:metres], got 'roof'");
+            "ai2thor.csv:3:22: schema error: expected wall, run, corner, centre, ceiling, wall-hung[:metres], "
+            "outer-wall[:metres], on:, at:, beside:, before:, facing: or above:<category>[:metres], got 'roof'");
   EXPECT_EQ(furniture("kitchen,Faucet,1,1,1,above:Bathtub,curated"),
             "ai2thor.csv:3:22: schema error: 'Bathtub' must be listed above for the same room");
   EXPECT_EQ(furniture("kitchen,Fridge,1,1,1,wall,"),
             "ai2thor.csv:3:27: schema error: expected metadata:<file>, derived:<rule>, llm:<model> or curated");
-  EXPECT_EQ(room("kitchen,1,1,1,10,20,2,curated"), "ai2thor_rooms.csv:6:1: schema error: 'kitchen' occurs twice");
-  EXPECT_EQ(room("office,1,0,1,20,10,3,curated"),
+  EXPECT_EQ(room("kitchen,1,1,1,10,20,curated"), "ai2thor_rooms.csv:6:1: schema error: 'kitchen' occurs twice");
+  EXPECT_EQ(room("office,1,0,1,20,10,curated"),
             "ai2thor_rooms.csv:6:17: schema error: bad area_high '10'; expected a number >= 20 and <= 80");
-  EXPECT_EQ(room("office,1,0,1,10,20,6,curated"),
-            "ai2thor_rooms.csv:6:20: schema error: expected a whole number from 0 to 5");
   EXPECT_EQ(object("kitchen,Mug,2,curated"), "ai2thor_objects.csv:4:9: schema error: is duplicated for the same room");
   RecipeTexts no_rooms = sound();
-  no_rooms.rooms = "room,weight,at_least,at_most,area_low,area_high,passage,source\nkitchen,1,1,1,10,20,2,curated\n";
+  no_rooms.rooms = "room,weight,at_least,at_most,area_low,area_high,source\nkitchen,1,1,1,10,20,curated\n";
   EXPECT_EQ(first_error(no_rooms), "ai2thor_rooms.csv:1:1: schema error: a home needs at least 4 room types");
 }
 
