@@ -1,8 +1,10 @@
 #include "validator/task_facts.h"
 
+#include <algorithm>
 #include <map>
 
 #include "core/text.h"
+#include "logic/formula.h"
 #include "simulation/digest.h"
 
 namespace unietp {
@@ -62,6 +64,19 @@ std::vector<TextRow> rows_of_steps(const std::map<Mode, DemonstrationRecord>& sh
   return rows;
 }
 
+/// Whether the goal or the start is about things of this category. Glass is a category and a material.
+bool names_category(const TaskRecord& task, const std::string& category) {
+  const auto in = [&](const Formula& formula) {
+    const auto categories = categories_of(formula);
+    return std::binary_search(categories.begin(), categories.end(), category);
+  };
+  return in(task.goal_tree) ||
+         std::any_of(task.start_constraints.begin(), task.start_constraints.end(), [&](const std::string& text) {
+           const auto constraint = parse_formula("start", text, FormulaUse::State);
+           return constraint && in(*constraint);
+         });
+}
+
 }  // namespace
 
 std::string plain_words(std::string_view text) {
@@ -117,7 +132,7 @@ TaskFacts facts_of(const TaskRecord& task, const Scene& home, const Scene& start
       facts.rooms.insert(task.simulator + "/" + type->second);
   }
   for (const auto& [placeholder, value] : task.bindings) {
-    if (knowledge.find(value) != nullptr) {
+    if (knowledge.find(value) != nullptr && names_category(task, value)) {
       facts.bound_categories.insert(task.simulator + "/" + value);
     } else if (types.contains(value)) {
       facts.bound_rooms.insert(task.simulator + "/" + value);
