@@ -377,12 +377,13 @@ class BeliefExpert {
       order_.give_up(look.id);
       return false;
     }
-    const Node* place = belief_.find(look.id);
-    if (!look.opens) return true;
-    const bool runs = problem_.profile.open_needs_power_off && place->states.has(Predicate::PowerOn);
-    if (!runs && trial.step({ActionType::Open, {look.id}}).success) return true;
+    if (!look.opens || trial.step({ActionType::Open, {look.id}}).success) return true;
     order_.keep_shut(look.id);
     return false;
+  }
+  /// Whether it was seen to be on and cannot be opened before it is off.
+  bool runs(const std::string& id) const {
+    return problem_.profile.open_needs_power_off && belief_.find(id)->states.has(Predicate::PowerOn);
   }
 
   /// The steps to a view of a place from another angle than before.
@@ -438,8 +439,9 @@ class BeliefExpert {
       if (action != way.back() && found_enough()) break;
     }
     if (look.opens && !(look.before == 0 && found_enough())) {
-      const Node* place = belief_.find(look.id);
-      if (!place->states.has(Predicate::Open) && !act({ActionType::Open, {look.id}})) return false;
+      const bool open = belief_.find(look.id)->states.has(Predicate::Open);
+      if (!open && runs(look.id) && !act({ActionType::TurnOff, {look.id}})) return false;
+      if (!open && !act({ActionType::Open, {look.id}})) return false;
     }
     order_.looked_at(look.id, belief_);
     return true;

@@ -14,6 +14,15 @@ std::vector<std::string> names_in(const Domain& domain) {
   return names;
 }
 
+/// Those of which the domain means the slices.
+std::vector<std::string> cut_in(const Domain& domain) {
+  std::vector<std::string> names;
+  for (const Domain::Member& member : domain.members) {
+    if (member.slice) names.push_back(member.category);
+  }
+  return names;
+}
+
 class NeedReader {
  public:
   SearchNeeds take() { return std::move(found_); }
@@ -102,6 +111,12 @@ class NeedReader {
     if (formula.op == Op::Exists) bound_.pop_back();
   }
 
+  /// Slices that nobody has cut yet ask for something to cut with.
+  void note_cutting(const Domain& domain) {
+    if (auto whole = cut_in(domain); !whole.empty())
+      found_.states.push_back({std::move(whole), {Predicate::Sliced, ""}, true, false});
+  }
+
   static bool compares(const Formula& formula) {
     if (formula.op == Op::Atom) return formula.predicate == Predicate::Nearest || formula.predicate == Predicate::Size;
     return std::any_of(formula.children.begin(), formula.children.end(), compares);
@@ -111,6 +126,7 @@ class NeedReader {
     SearchNeed need{names_in(formula.domain)};
     const bool one = (formula.op == Op::Exists) == wanted;
     need.every = !one;
+    if (one) note_cutting(formula.domain);
     bound_.emplace_back(formula.variable, need.categories);
     for (const Formula& where : formula.domain.where) {
       note_places(where, formula.variable, need);
@@ -142,6 +158,7 @@ class NeedReader {
     if (formula.op == Op::Number) wanted = 1;
     if (!lower_bound && !of_hand) found_.needs.push_back(std::move(there));
     if (wanted > 0) found_.needs.push_back({categories, wanted});
+    if (wanted > 0) note_cutting(formula.domain);
     read(formula.children[0], wanted > 0);
     bound_.pop_back();
   }

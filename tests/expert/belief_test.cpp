@@ -21,6 +21,12 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::UnorderedElementsAre;
 
+void knife_in_fridge(Scene& scene) { move_to(scene, "knife_1", 4.4, 3.55, 0.9); }
+void mug_in_running_microwave(Scene& scene) {
+  move_to(scene, "mug_1", 1.5, 3.65, 0.92);
+  set_state(scene, "microwave_1", Predicate::PowerOn);
+}
+
 const HouseCase kBeliefCases[] = {
     {"a_mug_on_a_table", "(exists (?x - Mug) (exists (?y - SideTable) (at-end (on ?x ?y))))"},
     {"the_mug_in_the_fridge", "(exists (?x - (Mug :where (exists (?f - Fridge) (inside ?x ?f)))) (at-end (held ?x)))",
@@ -31,6 +37,11 @@ const HouseCase kBeliefCases[] = {
     {"in_order",
      "(exists (?c - Fridge) (exists (?x - Apple) (exists (?y - Mug) (and (before (inside ?x ?c) (inside ?y ?c)) "
      "(at-end (and (inside ?x ?c) (inside ?y ?c)))))))"},
+    {"slices_with_a_hidden_knife", "(exists (?s - Potato/slice) (exists (?b - SideTable) (at-end (on ?s ?b))))",
+     knife_in_fridge},
+    {"a_mug_in_a_machine_that_runs",
+     "(exists (?x - (Mug :where (exists (?m - Microwave) (inside ?x ?m)))) (at-end (held ?x)))",
+     mug_in_running_microwave},
     {"every_mug", "(exists (?y - Fridge) (forall (?x - Mug) (at-end (inside ?x ?y))))"},
     {"two_kinds",
      "(exists (?c - Fridge) (exists (?x - Mug) (exists (?y - Apple) (at-end (and (inside ?x ?c) (inside ?y ?c))))))"},
@@ -185,6 +196,20 @@ TEST(SearchNeeds, OnlyWhatIsForbiddenKeepsSomethingShut) {
   EXPECT_THAT(search_needs(goal("(exists (?y - Fridge) (and (always (closed ?y)) (at-end (clean ?y))))")).shut,
               UnorderedElementsAre("Fridge"));
   EXPECT_THAT(search_needs(goal("(exists (?y - Fridge) (before (open ?y) (power_on ?y)))")).shut, IsEmpty());
+}
+
+TEST(SearchNeeds, SlicesAskForSomethingToCutWith) {
+  const auto asks_to_cut_apples = [](const std::string& text) {
+    const SearchNeeds needs = search_needs(goal(text));
+    return std::any_of(needs.states.begin(), needs.states.end(), [](const WantedState& wanted) {
+      return wanted.state.predicate == Predicate::Sliced && wanted.positive && !wanted.stated &&
+             wanted.categories == std::vector<std::string>{"Apple"};
+    });
+  };
+  EXPECT_TRUE(asks_to_cut_apples("(exists (?s - Apple/slice) (exists (?b - SideTable) (at-end (on ?s ?b))))"));
+  EXPECT_TRUE(asks_to_cut_apples("(exists (?b - SideTable) (at-end (count = 2 (?s - Apple/slice) (on ?s ?b))))"));
+  EXPECT_FALSE(asks_to_cut_apples("(exists (?b - SideTable) (at-end (count = 0 (?s - Apple/slice) (on ?s ?b))))"));
+  EXPECT_FALSE(asks_to_cut_apples("(exists (?s - Apple) (exists (?b - SideTable) (at-end (on ?s ?b))))"));
 }
 
 struct LookingForAMug : ::testing::Test {
