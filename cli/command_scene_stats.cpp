@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -153,8 +154,11 @@ std::set<std::string> room_types_of(const std::vector<Scene>& homes) {
   return types;
 }
 
-std::string rounded_or_none(const std::optional<double>& value) {
-  return value ? number_text(std::round(*value * 10'000) / 10'000) : "–";
+std::string decimals_or_none(const std::optional<double>& value, int decimals) {
+  if (!value) return "-";
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%.*f", decimals, *value);
+  return text.data();
 }
 
 void print_comparison(const HomeComparison& comparison, const std::set<std::string>& types, bool as_json) {
@@ -175,12 +179,13 @@ void print_comparison(const HomeComparison& comparison, const std::set<std::stri
   }
   std::printf("%d homes of A, %d of B of like size; %d in each sample. Rooms: %s\n", comparison.made, comparison.real,
               comparison.sample, join({types.begin(), types.end()}, ", ").c_str());
-  std::printf("  %-24s %-5s %10s %14s %7s\n", "trait", "unit", "A to B", "halves of B", "ratio");
+  std::printf("  %9s %12s %7s  %s\n", "A to B", "halves of B", "ratio", "trait");
   for (const TraitComparison& one : comparison.traits) {
     const auto ratio =
         one.made && one.halves && *one.halves > 0 ? std::optional(*one.made / *one.halves) : std::nullopt;
-    std::printf("  %-24s %-5s %10s %14s %7s\n", one.trait.c_str(), one.unit.c_str(), rounded_or_none(one.made).c_str(),
-                rounded_or_none(one.halves).c_str(), ratio ? number_text(std::round(*ratio * 100) / 100).c_str() : "–");
+    std::printf("  %9s %12s %7s  %s%s\n", decimals_or_none(one.made, 4).c_str(),
+                decimals_or_none(one.halves, 4).c_str(), decimals_or_none(ratio, 2).c_str(), one.trait.c_str(),
+                one.unit.empty() ? "" : (" (" + one.unit + ")").c_str());
   }
 }
 

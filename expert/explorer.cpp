@@ -113,7 +113,7 @@ std::variant<std::vector<Action>, Trouble> explore(const ModeRules& rules, Execu
   constexpr int kMostReplans = 4;
   // What cannot be seen from anywhere is looked for from each lookout again: hundreds of thousands of poses in a large
   // home. The plans that were found looked from a few thousand.
-  std::size_t looks_left = 30'000;
+  std::size_t looks_left = 10'000;
   Explorer explorer(executions, rules, looks_left);
   ExecutedPrefix beginning;
   for (int replans = 0; !explorer.follow(plan); ++replans) {

@@ -313,7 +313,11 @@ TEST_P(EveryLibrary, HasThingsOnTheFloorThatPeopleKeepThere) {
     for (const Edge& edge : home.edges) {
       if (edge.relation != Predicate::OnFloor) continue;
       const Node* thing = find_node(home, edge.from);
-      if (!thing->movable) continue;
+      // What lies in a basket can touch the floor through its thin bottom.
+      const bool in_something = std::any_of(home.edges.begin(), home.edges.end(), [&](const Edge& other) {
+        return other.relation == Predicate::Inside && other.from == edge.from;
+      });
+      if (!thing->movable || in_something) continue;
       ++low;
       EXPECT_GT(style().recipe.household->on_floor(thing->category), 0) << thing->id << " on a floor of " << home.id;
       const Vec2 at = thing->pose.position.head<2>();

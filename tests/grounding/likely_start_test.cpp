@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -27,8 +28,8 @@ class LikelyStart : public ::testing::Test {
     options.dangerous = dangerous;
     return ground(asked, home_, style_->knowledge, style_->profile, options, Rng(seed));
   }
-  std::string reason(const std::vector<std::string>& init, bool dangerous = false) const {
-    const auto result = grounded(init, 0, dangerous);
+  std::string reason(const std::vector<std::string>& init, bool dangerous = false, std::uint64_t seed = 0) const {
+    const auto result = grounded(init, seed, dangerous);
     const auto* why = std::get_if<Rejection>(&result);
     return why == nullptr ? "" : std::string(name_of(why->reason));
   }
@@ -77,7 +78,11 @@ TEST_F(LikelyStart, AddsFoodWherePeopleKeepIt) {
 
 TEST_F(LikelyStart, IsRefusedWhenNoHomeLooksLikeIt) {
   EXPECT_EQ(reason({"(forall (?d - Drawer) (open ?d))"}), "odd-start");
-  EXPECT_EQ(reason({"(count >= 12 (?a - Plate) (dirty ?a))"}), "odd-start");
+  std::set<std::string> of_plates;  // some of the places that are drawn for so many are out of reach
+  for (std::uint64_t seed = 0; seed < 6; ++seed)
+    of_plates.insert(reason({"(count >= 12 (?a - Plate) (dirty ?a))"}, false, seed));
+  EXPECT_TRUE(of_plates.contains("odd-start"));
+  EXPECT_FALSE(of_plates.contains("")) << "accepted";
   const std::string knife = "(exists (?a - Knife) (exists (?s - Sofa) (on ?a ?s)))";
   EXPECT_EQ(reason({knife}), "odd-start");
   EXPECT_NE(reason({knife}, true), "odd-start") << "to be put away, it may lie there";
