@@ -1,6 +1,7 @@
 #include "generator/reference.h"
 
 #include <algorithm>
+#include <array>
 
 #include "akb/attributes.h"
 #include "scene/states.h"
@@ -26,12 +27,26 @@ bool is_free(const StateGroup& group, const GoalVariable& variable, const Specif
   });
 }
 
+/// Whether one sees, and says, that such a thing is on: not of a soap dispenser or a sink.
+bool is_seen_running(const Category& category) {
+  constexpr std::array<std::string_view, 12> kRuns{
+      "electronics", "kitchen_machine", "television", "room_lamp",      "room_machine", "oven",
+      "stove",       "microwave",       "toaster",    "coffee_machine", "dishwasher",   "washer"};
+  return std::any_of(category.kinds.begin(), category.kinds.end(), [&](const std::string& kind) {
+    return std::find(kRuns.begin(), kRuns.end(), kind) != kRuns.end();
+  });
+}
+
 std::vector<Reference> by_state(const GoalVariable& variable, const Specification& plain, const Knowledge& knowledge) {
   std::vector<Reference> found;
+  const auto* category = knowledge.find(variable.category);
   for (const auto& group : state_groups()) {
     if (!knowledge.has(variable.category, group.affordance) || !is_free(group, variable, plain)) continue;
     for (const PredicateInfo& state : all_predicates()) {
       if (!state.telling || !in_group(group, state.predicate) || !shows(plain.simulator, state.predicate)) continue;
+      if (state.predicate == Predicate::PowerOn && category != nullptr && !category->kinds.empty() &&
+          !is_seen_running(*category))
+        continue;
       found.push_back({Referring::ByState, atom(state.predicate, {variable.variable}), {}});
     }
   }

@@ -58,9 +58,9 @@ std::vector<std::vector<std::string>> choices_first(const std::vector<const Alia
 
 /// Where things are put away, washed or thrown away. Who says what they are up to wants what they need for it at hand,
 /// not switched off, closed or frozen.
-constexpr std::array<std::string_view, 12> kPutAway{"cabinet", "drawer",     "wardrobe", "dresser",
-                                                    "fridge",  "freezer",    "sink",     "storage_box",
-                                                    "hamper",  "dishwasher", "washer",   "trash_can"};
+constexpr std::array<std::string_view, 15> kPutAway{"oven",        "stove",   "microwave",  "cabinet", "drawer",
+                                                    "wardrobe",    "dresser", "fridge",     "freezer", "sink",
+                                                    "storage_box", "hamper",  "dishwasher", "washer",  "trash_can"};
 
 bool is_put_away(const GoalVariable& variable, const Specification& plain, const Knowledge& knowledge) {
   const auto asked = predicates_of(plain.goal, variable.variable);
@@ -74,6 +74,15 @@ bool is_put_away(const GoalVariable& variable, const Specification& plain, const
     return other != nullptr && std::any_of(other->kinds.begin(), other->kinds.end(), [](const std::string& kind) {
              return std::find(kPutAway.begin(), kPutAway.end(), kind) != kPutAway.end();
            });
+  });
+}
+
+/// "Turn an electronic device off": nobody leaves open which thing of many kinds is opened, closed or switched.
+bool is_opened_or_switched(const GoalVariable& variable, const Specification& plain) {
+  const auto asked = predicates_of(plain.goal, variable.variable);
+  return std::any_of(asked.begin(), asked.end(), [](Predicate predicate) {
+    return predicate == Predicate::Open || predicate == Predicate::Closed || predicate == Predicate::PowerOn ||
+           predicate == Predicate::PowerOff;
   });
 }
 
@@ -99,6 +108,7 @@ std::optional<Specification> refine_by_phrase(const Specification& plain, const 
   std::vector<std::string> choices;
   for (const auto& variable : singular_variables(plain.goal)) {
     if (style == Style::Context && is_put_away(variable, plain, knowledge)) continue;
+    if (style == Style::Hypernym && is_opened_or_switched(variable, plain)) continue;
     const auto* category = knowledge.find(variable.category);
     if (category != nullptr && (category->movable || style != Style::Function)) choices.push_back(variable.category);
   }

@@ -21,7 +21,7 @@ bool asks_for_one_state(const Formula& goal) {
   return asked.op == Op::Atom && asked.terms.size() == 1;
 }
 
-bool has_form_for(Style style, const Formula& goal) {
+bool has_form_for(Style style, const Formula& goal, bool of_one_thing) {
   switch (style) {
     case Style::Alias:  // see may_be_carried
     case Style::Aside:
@@ -46,7 +46,7 @@ bool has_form_for(Style style, const Formula& goal) {
     case Style::Ellipsis:
     case Style::Anaphora:
     case Style::Compound:
-      return !singular_variables(goal).empty();
+      return of_one_thing;
     default:
       return false;  // only templates that are written so
   }
@@ -66,11 +66,18 @@ std::vector<Style> styles_fitting(const Template& source) {
     const auto own = style_named(source.refinement);
     return own ? std::vector<Style>{*own} : std::vector<Style>();
   }
+  const auto is_room = [&](const GoalVariable& variable) {
+    return std::any_of(source.parameters.begin(), source.parameters.end(), [&](const Parameter& parameter) {
+      return parameter.name == variable.category && parameter.affordances == std::vector<std::string>{"room"};
+    });
+  };
+  const auto single = singular_variables(source.goal);
+  const bool of_one_thing = !std::all_of(single.begin(), single.end(), is_room);
   const bool carries = std::any_of(source.parameters.begin(), source.parameters.end(), may_be_carried);
   std::vector<Style> fitting;
   for (std::size_t i = 0; i < kStyleCount; ++i) {
     const auto style = static_cast<Style>(i);
-    if (has_form_for(style, source.goal) && (style != Style::Alias || carries)) fitting.push_back(style);
+    if (has_form_for(style, source.goal, of_one_thing) && (style != Style::Alias || carries)) fitting.push_back(style);
   }
   return fitting;
 }
