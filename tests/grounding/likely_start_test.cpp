@@ -9,13 +9,23 @@
 namespace unietp {
 namespace {
 
+constexpr const char* kDirtyPlates = "(count >= 2 (?a - Plate) (dirty ?a))";
+
 /// Starts in a home that is lived in as the committed tables say.
 class LikelyStart : public ::testing::Test {
  protected:
   void SetUp() override {
     style_ = style_of(Simulator::Ai2thor);
     ASSERT_TRUE(style_);
-    auto home = full_home_of(*style_, 4);
+    // In some homes all plates are in cabinets and stay there, so that none is likely to be dirty.
+    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+      live_in(seed);
+      if (reason({kDirtyPlates}).empty()) return;
+    }
+    FAIL() << "no home has plates that may be dirty";
+  }
+  void live_in(std::uint64_t seed) {
+    auto home = full_home_of(*style_, seed);
     ASSERT_TRUE(home) << format(home.error());
     home_ = prepare_home(std::move(*home), style_->profile);
   }
@@ -33,12 +43,12 @@ class LikelyStart : public ::testing::Test {
     const auto* why = std::get_if<Rejection>(&result);
     return why == nullptr ? "" : std::string(name_of(why->reason));
   }
-  /// The types of the rooms that changed things of a category are in, and the categories of what they are in.
+  /// The types of the rooms that changed things of a category are in, and the categories of what they are in; none when
+  /// the start is refused.
   std::vector<std::string> where(const std::string& category, const std::string& init, std::uint64_t seed) const {
     const auto result = grounded({init}, seed);
     const auto* start = std::get_if<Grounded>(&result);
     std::vector<std::string> found;
-    EXPECT_TRUE(start) << (start == nullptr ? std::get<Rejection>(result).detail : "");
     if (start == nullptr) return found;
     const Episode& episode = start->episode;
     for (const Node& node : episode.changes.nodes) {
@@ -62,8 +72,9 @@ bool contains_name(const std::vector<std::string>& all, const std::string& one) 
 }
 
 TEST_F(LikelyStart, LeavesNoDirtyDishesInCabinets) {
+  EXPECT_FALSE(where("Plate", kDirtyPlates, 0).empty());
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
-    const auto places = where("Plate", "(count >= 2 (?a - Plate) (dirty ?a))", seed);
+    const auto places = where("Plate", kDirtyPlates, seed);
     EXPECT_FALSE(contains_name(places, "Cabinet") || contains_name(places, "Drawer") || contains_name(places, "Fridge"))
         << seed;
   }
@@ -71,15 +82,19 @@ TEST_F(LikelyStart, LeavesNoDirtyDishesInCabinets) {
 
 TEST_F(LikelyStart, LeavesNothingInAFridgeThatMayNotBeCold) {
   std::size_t changed = 0;
-  for (const std::string food : {"Apple", "Egg", "Lettuce", "Tomato"}) {
-    const auto places = where(food, "(forall (?a - " + food + ") (not (cool ?a)))", 1);
-    changed += places.size();
-    EXPECT_FALSE(contains_name(places, "Fridge")) << food;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    live_in(seed);
+    for (const std::string food : {"Apple", "Egg", "Lettuce", "Tomato"}) {
+      const auto places = where(food, "(forall (?a - " + food + ") (not (cool ?a)))", 1);
+      changed += places.size();
+      EXPECT_FALSE(contains_name(places, "Fridge")) << food << " in home " << seed;
+    }
   }
-  EXPECT_GT(changed, 0u) << "the home has no such food in its fridge";
+  EXPECT_GT(changed, 0u) << "no home has such food in its fridge";
 }
 
 TEST_F(LikelyStart, AddsFoodWherePeopleKeepIt) {
+  EXPECT_FALSE(where("Bread", "(count >= 3 (?a - Bread) (and))", 0).empty());
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     const auto places = where("Bread", "(count >= 3 (?a - Bread) (and))", seed);
     EXPECT_FALSE(contains_name(places, "bedroom") || contains_name(places, "bathroom")) << seed;
