@@ -21,11 +21,11 @@ bool asks_for_one_state(const Formula& goal) {
   return asked.op == Op::Atom && asked.terms.size() == 1;
 }
 
-bool has_form_for(Style style, const Formula& goal, bool of_one_thing) {
+bool has_form_for(Style style, const Formula& goal, bool of_one_thing, bool of_things) {
   switch (style) {
     case Style::Alias:  // see may_be_carried
     case Style::Aside:
-      return true;
+      return of_things;
     case Style::Request:
       return asks_for_one_state(goal);
     case Style::Condition:
@@ -66,18 +66,22 @@ std::vector<Style> styles_fitting(const Template& source) {
     const auto own = style_named(source.refinement);
     return own ? std::vector<Style>{*own} : std::vector<Style>();
   }
-  const auto is_room = [&](const GoalVariable& variable) {
-    return std::any_of(source.parameters.begin(), source.parameters.end(), [&](const Parameter& parameter) {
-      return parameter.name == variable.category && parameter.affordances == std::vector<std::string>{"room"};
-    });
+  const auto is_room = [](const Parameter& parameter) {
+    return parameter.affordances == std::vector<std::string>{"room"};
   };
   const auto single = singular_variables(source.goal);
-  const bool of_one_thing = !std::all_of(single.begin(), single.end(), is_room);
+  const bool of_one_thing = std::any_of(single.begin(), single.end(), [&](const GoalVariable& variable) {
+    return std::none_of(source.parameters.begin(), source.parameters.end(), [&](const Parameter& parameter) {
+      return parameter.name == variable.category && is_room(parameter);
+    });
+  });
+  const bool of_things = !std::all_of(source.parameters.begin(), source.parameters.end(), is_room);
   const bool carries = std::any_of(source.parameters.begin(), source.parameters.end(), may_be_carried);
   std::vector<Style> fitting;
   for (std::size_t i = 0; i < kStyleCount; ++i) {
     const auto style = static_cast<Style>(i);
-    if (has_form_for(style, source.goal, of_one_thing) && (style != Style::Alias || carries)) fitting.push_back(style);
+    if (has_form_for(style, source.goal, of_one_thing, of_things) && (style != Style::Alias || carries))
+      fitting.push_back(style);
   }
   return fitting;
 }

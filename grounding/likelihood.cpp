@@ -32,14 +32,16 @@ Location location_of(const Workspace& workspace, const Node& node) {
   return found;
 }
 
-/// A state that hardly any such thing is in, or is not in, on or in a receptacle: "dirty", "not cold".
-std::string rare_state(const Household& household, const Node& node, const Knowledge& knowledge, Predicate relation,
+/// A state that hardly any such thing is in on or in a receptacle, or that nearly all are in and that it was taken out
+/// of: "dirty", "not cool". `before`: the thing as the home has it, or nullptr.
+std::string rare_state(const Household& household, const Node& node, const Node* before, Predicate relation,
                        const std::string& receptacle) {
   for (const LikelyState& likely : household.states_of(node.category, relation, receptacle)) {
     const std::string name(info(likely.state.predicate).name);
     const bool has = node.states.has(likely.state);
     if (has && likely.share < kHardlyAny) return name;
-    if (!has && likely.share > 1 - kHardlyAny && can_be(node, knowledge, likely.state)) return "not " + name;
+    const bool lost = !has && before != nullptr && before->states.has(likely.state);
+    if (lost && likely.share > 1 - kHardlyAny) return "not " + name;
   }
   return "";
 }
@@ -104,6 +106,9 @@ Oddness oddness_of(const Workspace& workspace, const Node& node, std::string* re
     return odd("in " + where.room->id + ", where nobody keeps such things");
   const auto& all = household->places_of(node.category);
   const bool some_usual = std::any_of(all.begin(), all.end(), [](const auto& place) { return place.usual; });
+  const Home* home = workspace.home();
+  const auto at_home = home == nullptr ? std::nullopt : home->places.find(node.id);
+  const Node* before = at_home ? &home->scene.nodes[*at_home] : nullptr;
   Oddness worst = Oddness::None;
   for (const auto& [relation, host] : where.hosts) {
     const Node& there = workspace.scene().nodes[host];
@@ -112,7 +117,7 @@ Oddness oddness_of(const Workspace& workspace, const Node& node, std::string* re
     const bool kept = where.room == nullptr || household->keeps(node.category, there.category, where.room->type);
     if (place == nullptr || !kept) return odd(at + ", where nobody keeps such things");
     if (some_usual && !place->usual) worst = Oddness::Unusual;
-    const auto state = rare_state(*household, node, workspace.knowledge(), relation, there.category);
+    const auto state = rare_state(*household, node, before, relation, there.category);
     if (!state.empty()) return odd(state + " " + at + ", as hardly anything is there");
     if (const Node* other = clashing(workspace, node, host)) return odd(at + " together with " + other->id);
   }

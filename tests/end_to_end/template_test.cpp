@@ -157,7 +157,8 @@ TEST(TemplateLint, SaysWhichPhrasingsAreReadBackAndWhyOthersAreNot) {
 }
 
 TEST(TemplateTry, ShowsThreeTextsForAStyle) {
-  const auto json = json_of(ask({"try", "place-one-on", "--simulators", "ai2thor", "--count", "1", "--json"}));
+  const auto json = json_of(ask(
+      {"try", "place-one-on", "--simulators", "ai2thor", "--count", "1", "--bind", "A=Mug", "B=CounterTop", "--json"}));
   std::map<std::string, std::size_t> texts;
   for (const auto& style : json["simulators"][0]["texts"]) texts[style["style"]] = style["texts"].size();
   EXPECT_EQ(texts["direct"], 3U);

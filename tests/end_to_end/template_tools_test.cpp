@@ -85,7 +85,7 @@ TEST(TemplateWhyNot, NamesTheGateTheFactAndWhatElseCouldBeBound) {
   EXPECT_THAT(ended.out, ContainsRegex("affordance +passed"));
   EXPECT_THAT(ended.out, ContainsRegex("constraint +refused"));
   EXPECT_THAT(ended.out, HasSubstr("relation has no row (inside, Pillow, Microwave)"));
-  EXPECT_THAT(ended.out, ContainsRegex("A could be: Apple"));
+  EXPECT_THAT(ended.out, ContainsRegex("A could be: .*Potato"));
   EXPECT_THAT(ended.out, ::testing::Not(HasSubstr("B could be")));  // nothing holds a pillow inside
 }
 

@@ -338,6 +338,7 @@ TEST(StyleFit, LeavesOutWhatHasNoOtherName) {
     const auto styles = styles_fitting(library_template(name));
     return std::find(styles.begin(), styles.end(), Style::Alias) != styles.end();
   };
+  EXPECT_TRUE(styles_fitting(library_template("go-to-room")).empty());
   EXPECT_TRUE(has_alias("place-one-on"));
   EXPECT_FALSE(has_alias("go-to-room"));
   EXPECT_FALSE(has_alias("close-all-in-room"));
