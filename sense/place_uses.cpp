@@ -48,7 +48,8 @@ PlaceUses read_place_uses(const std::filesystem::path& path, const Kinds& kinds,
       if (kinds.find(kind) == nullptr) row.fail("places", "'" + kind + "' is not a kind of kinds.csv");
     }
     if (use == kPlaceUses.end()) {
-      row.fail("use", "'" + name + "' is not a use; known are storage, dirty_things, dirty_or_not, put_away and passing");
+      row.fail("use",
+               "'" + name + "' is not a use; known are storage, dirty_things, dirty_or_not, put_away and passing");
     } else if (!places.try_emplace(*use, std::move(all)).second) {
       row.fail("use", "'" + name + "' stands twice");
     }
