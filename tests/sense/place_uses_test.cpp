@@ -38,7 +38,8 @@ TEST(PlaceUses, AreThoseOfTheirKindAndOfWiderOnes) {
 }
 
 TEST(PlaceUses, AFaultyRowIsReportedWithItsPlace) {
-  const std::string rest = "dirty_things,sink,curated\ndirty_or_not,sink,curated\nput_away,shelf,curated\npassing,oven,curated\n";
+  const std::string rest =
+      "dirty_things,sink,curated\ndirty_or_not,sink,curated\nput_away,shelf,curated\npassing,oven,curated\n";
   EXPECT_THAT(place_problems("storage,cabinet|drawer,curated\n" + rest), IsEmpty());
   EXPECT_THAT(place_problems("storage,cabnet,curated\n" + rest),
               Contains(HasSubstr("2:9: schema error: 'cabnet' is not")));
