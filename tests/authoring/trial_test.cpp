@@ -26,13 +26,16 @@ TEST(TryTemplate, EveryTemplateGivesAProvenTaskOnASimulatorThatItClaims) {
   const auto& templates = committed().templates;
   const auto configuration = small_homes();
   LayoutPool layouts(configuration, committed(), 8);
+  const RunConfiguration whole;  // few small homes have a freezer
+  LayoutPool whole_homes(whole, committed(), 24);
   std::vector<std::string> failures(templates.size());
   const auto work = [&](std::size_t first) {
     for (std::size_t i = first; i < templates.size(); i += 2) {
       const auto& claimed = templates[i].simulators;
       for (std::size_t k = 0; k < claimed.size(); ++k) {
         const auto simulator = claimed[(i + k) % claimed.size()];
-        const auto trial = try_template(configuration, committed(), layouts, i, simulator, {8, 1, nullptr});
+        auto trial = try_template(configuration, committed(), layouts, i, simulator, {8, 1, nullptr});
+        if (trial.tasks.empty()) trial = try_template(whole, committed(), whole_homes, i, simulator, {48, 1, nullptr});
         if (!trial.tasks.empty()) {
           failures[i].clear();
           break;

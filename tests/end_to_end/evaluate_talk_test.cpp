@@ -160,7 +160,7 @@ TEST(EvaluateTalk, BoxesAreToldInTheFormThatIsAskedForOrNotAtAll) {
   const auto pixels = boxes_told({}), unit = boxes_told({"--box-format", "unit"}),
              thousand = boxes_told({"--box-format", "thousand"}),
              y_first = boxes_told({"--box-format", "thousand_y_first"});
-  ASSERT_GT(pixels.size(), 4U);
+  ASSERT_GE(pixels.size(), 4U);
   ASSERT_EQ(unit.size(), pixels.size());
   ASSERT_EQ(thousand.size(), pixels.size());
   ASSERT_EQ(y_first.size(), pixels.size());

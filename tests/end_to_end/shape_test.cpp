@@ -14,7 +14,7 @@ TEST(ShapeCommand, ListsAndDrawsFamiliesAndAnswersAnUnknownOneWithTheNearest) {
   const ScratchFolder folder;
   const auto listed = run_program({"shape", "list"});
   EXPECT_EQ(listed.code, 0);
-  EXPECT_THAT(listed.out, HasSubstr("\nmug "));
+  EXPECT_THAT(listed.out, HasSubstr("mug   "));
   const auto shown = run_program({"shape", "show", "mug", "--out", folder.at("mug.png")});
   ASSERT_EQ(shown.code, 0) << shown.err;
   const auto other = run_program({"shape", "show", "bottle", "--out", folder.at("bottle.png")});
