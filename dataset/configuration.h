@@ -58,7 +58,7 @@ struct RunConfiguration {
   std::vector<std::string> own;        // the user's own templates in it, "<name> <sha256>"
   Binding binding;                     // placeholders that are not drawn, of the one template named
   std::vector<Mode> modes{Mode::M1};   // that each task is demonstrated in, in order; M1 is always among them
-  int attempts = 40;                   // candidates tried for one task before it is given up
+  int attempts = 60;                   // candidates tried for one task before it is given up
   int block = 256;                     // tasks planned together (blocks.h), > 0
   HomeSource homes = HomeSource::Drawn;
   int rooms = 6;                    // of a drawn home
