@@ -133,7 +133,8 @@ TEST_F(LedgerFile, AnAttemptThatARunDoesNotMakeIsRefusedWhenTheRunGoesOn) {
   BlockRun run(configuration, committed(), blocks.front(), *ledger, {});
   const auto batch = run.next_batch();
   ASSERT_FALSE(batch);
-  EXPECT_THAT(format(batch.error()), HasSubstr("slot 3 has an attempt 1000 of 40"));
+  EXPECT_THAT(format(batch.error()),
+              HasSubstr("slot 3 has an attempt 1000 of " + std::to_string(configuration.attempts)));
 }
 
 }  // namespace
