@@ -135,6 +135,8 @@ std::optional<Naming::Noun> Naming::noun(const Domain& domain, bool exact) {
     const std::string text = rng_.pick(phrases);
     return Noun{text, text, true, true};
   }
+  constexpr std::size_t kMostNamed = 4;  // nobody says "a dish or food tray or plate or platter or tray"
+  if (everyday() && !exact && domain.members.size() > kMostNamed) return std::nullopt;
   Noun noun;
   for (const Domain::Member& member : domain.members) {
     bool countable = true;

@@ -9,12 +9,12 @@ namespace unietp {
 namespace {
 
 constexpr std::size_t kMostLandmarks = 4;
-constexpr std::array<std::string_view, 3> kHeats{"microwave", "oven", "toaster"};
+constexpr std::array<std::string_view, 5> kPassing{"microwave", "oven", "toaster", "sink", "dishwasher"};
 
-/// Where things are only while they are heated, so that nothing is told from others by being in there.
-bool heats(const Category& place) {
+/// Where things are only while they are heated or washed, so that nothing is told from others by being in there.
+bool is_passed_through(const Category& place) {
   return std::any_of(place.kinds.begin(), place.kinds.end(), [](const std::string& kind) {
-    return std::find(kHeats.begin(), kHeats.end(), kind) != kHeats.end();
+    return std::find(kPassing.begin(), kPassing.end(), kind) != kPassing.end();
   });
 }
 
@@ -60,7 +60,7 @@ class Landmarks {
       for (const auto* row : knowledge_.placements_of(variable_.category, relation)) {
         const auto* other = knowledge_.find(row->receptacle);
         if (other == nullptr || row->likelihood <= 0 || !usable(row->receptacle)) continue;
-        if (relation == Predicate::Inside && heats(*other)) continue;
+        if (relation == Predicate::Inside && is_passed_through(*other)) continue;
         // A landmark stays where it is: furniture, or what a thing of the task is set down beside.
         if (movable && other->movable != (relation == Predicate::NextTo)) continue;
         rows.push_back(row);

@@ -94,6 +94,16 @@ double share_in_state(const Workspace& workspace, const Node& node, const State&
   return std::max(share, kLeastState);
 }
 
+bool is_rare_at(const Workspace& workspace, const Node& node, const Node& receptacle) {
+  const Household* household = workspace.household();
+  if (household == nullptr) return false;
+  const auto rare = [&](Predicate relation) {
+    return household->place(node.category, relation, receptacle.category) != nullptr &&
+           !rare_state(*household, node, nullptr, relation, receptacle.category).empty();
+  };
+  return rare(Predicate::On) || rare(Predicate::Inside);
+}
+
 Oddness oddness_of(const Workspace& workspace, const Node& node, std::string* reason) {
   const auto* household = workspace.household();
   const auto odd = [&](const std::string& why) {

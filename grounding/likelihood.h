@@ -20,6 +20,10 @@ double likelihood_of_states(const Workspace& workspace, const Node& node, const 
 /// The share of such things where it is, as last read, that are in a state; at least 0.001, and 1 without a household.
 double share_in_state(const Workspace& workspace, const Node& node, const State& state);
 
+/// Whether hardly anything is on or in such a receptacle in a state that the thing has: no dirty plate is kept in a
+/// cabinet. False without a household.
+bool is_rare_at(const Workspace& workspace, const Node& node, const Node& receptacle);
+
 /// How odd it is to find something.
 enum class Oddness : std::uint8_t {
   None,

@@ -79,7 +79,7 @@ class Polish {
     if (!place || !workspace().carried_by(*place).empty()) return;
     const Oddness before = oddness_of(workspace(), node);
     for (int tried = 0; tried < kPlacesTried; ++tried) {
-      if (!editor_.relocate(node.id, [](const Node&) { return true; })) break;
+      if (!editor_.relocate(node.id, [&](const Node& host) { return !is_rare_at(workspace(), node, host); })) break;
       editor_.refresh();
       const Node& now = workspace().scene().nodes[*workspace().places().find(node.id)];
       if (oddness_of(workspace(), now) < before && is_sound_()) return;
