@@ -8,12 +8,16 @@
 namespace unietp {
 namespace {
 
-constexpr double kInPassing = 0.15;     // of the weight of a place that things only pass through
-constexpr double kWhileHeated = 0.005;  // and of one where they are only while they are heated
+constexpr double kInPassing = 0.15;  // of the weight of a place that things only pass through
 
 constexpr double kUsualRoom = 0.25;  // least value of in_room() of a room where such things usually are
 constexpr double kTolerable = 0.03;  // weight of all tolerable places of a category together; the usual ones have 1
 constexpr double kUnspoken = 0.02;   // share of a state that nobody spoke of
+
+/// Whether a rule says that nobody finds such a thing there before a task: food is in an oven only while it is cooked.
+bool is_never_found(const CommonSense& sense, const Thing& thing, const Role& place) {
+  return sense.found(thing, place).grade == Grade::Senseless;
+}
 
 }  // namespace
 
@@ -52,12 +56,9 @@ Household::Household(const Knowledge& knowledge, const CommonSense& sense, Start
     for (const UsualPlace& place : all) {
       const auto& receptacle = place.placement->receptacle;
       const auto* at = sense.kind_of(knowledge.simulator(), receptacle);
-      const auto is_a = [&](std::string_view kind) { return at != nullptr && kinds_.is_a(at->kind, kind); };
-      if (is_a("trash_can") && !kinds_.is_a(kind_of(category.name), "rubbish")) continue;
-      const bool passing = at != nullptr && sense.used_for(at->kind, PlaceUse::Passing);
-      const bool heated =
-          passing && place.placement->relation == Predicate::Inside && !sense.used_for(at->kind, PlaceUse::DirtyOrNot);
-      const double time = heated ? kWhileHeated : passing ? kInPassing : 1;
+      const Thing thing{std::string(kind_of(category.name)), category.display, category.materials};
+      if (at != nullptr && is_never_found(sense, thing, role_of(place.placement->relation, at->kind, kinds_))) continue;
+      const double time = at != nullptr && sense.used_for(at->kind, PlaceUse::Passing) ? kInPassing : 1;
       const bool is_usual = place.grade == Grade::Usual;
       const double weight = place.weight * (is_usual ? 1 : kTolerable) * time;
       places.push_back({place.placement->relation, receptacle, weight, is_usual});
