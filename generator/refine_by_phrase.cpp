@@ -57,15 +57,16 @@ std::vector<std::vector<std::string>> choices_first(const std::vector<const Alia
 }
 
 /// Where things are put away, washed or thrown away. Who says what they are up to wants what they need for it at hand,
-/// not switched off, closed or frozen.
-constexpr std::array<std::string_view, 15> kPutAway{"oven",        "stove",   "microwave",  "cabinet", "drawer",
-                                                    "wardrobe",    "dresser", "fridge",     "freezer", "sink",
-                                                    "storage_box", "hamper",  "dishwasher", "washer",  "trash_can"};
+/// not switched off, closed, frozen or beside something else.
+constexpr std::array<std::string_view, 17> kPutAway{
+    "oven",   "stove",   "microwave", "toaster", "coffee_machine", "cabinet",    "drawer", "wardrobe", "dresser",
+    "fridge", "freezer", "sink",      "hamper",  "storage_box",    "dishwasher", "washer", "trash_can"};
 
 bool is_put_away(const GoalVariable& variable, const Specification& plain, const Knowledge& knowledge) {
   const auto asked = predicates_of(plain.goal, variable.variable);
   const bool ends_its_use = std::any_of(asked.begin(), asked.end(), [](Predicate predicate) {
-    return predicate == Predicate::Frozen || predicate == Predicate::PowerOff || predicate == Predicate::Closed;
+    return predicate == Predicate::Frozen || predicate == Predicate::PowerOff || predicate == Predicate::Closed ||
+           predicate == Predicate::NextTo;
   });
   if (ends_its_use) return true;
   if (std::find(asked.begin(), asked.end(), Predicate::Inside) == asked.end()) return false;
@@ -77,12 +78,13 @@ bool is_put_away(const GoalVariable& variable, const Specification& plain, const
   });
 }
 
-/// "Turn an electronic device off": nobody leaves open which thing of many kinds is opened, closed or switched.
-bool is_opened_or_switched(const GoalVariable& variable, const Specification& plain) {
+/// "Turn an electronic device off", "empty a piece of cookware": nobody leaves open which thing of many kinds is
+/// opened, closed, switched or emptied.
+bool is_opened_switched_or_emptied(const GoalVariable& variable, const Specification& plain) {
   const auto asked = predicates_of(plain.goal, variable.variable);
   return std::any_of(asked.begin(), asked.end(), [](Predicate predicate) {
     return predicate == Predicate::Open || predicate == Predicate::Closed || predicate == Predicate::PowerOn ||
-           predicate == Predicate::PowerOff;
+           predicate == Predicate::PowerOff || predicate == Predicate::Empty;
   });
 }
 
@@ -108,7 +110,8 @@ std::optional<Specification> refine_by_phrase(const Specification& plain, const 
   std::vector<std::string> choices;
   for (const auto& variable : singular_variables(plain.goal)) {
     if (style == Style::Context && is_put_away(variable, plain, knowledge)) continue;
-    if (style == Style::Hypernym && is_opened_or_switched(variable, plain)) continue;
+    const bool any_kind = style == Style::Hypernym || style == Style::Function;
+    if (any_kind && is_opened_switched_or_emptied(variable, plain)) continue;
     const auto* category = knowledge.find(variable.category);
     if (category != nullptr && (category->movable || style != Style::Function)) choices.push_back(variable.category);
   }

@@ -8,6 +8,7 @@
 #include "grounding/check_start.h"
 #include "grounding/edits_in_words.h"
 #include "grounding/enforce.h"
+#include "grounding/goal_places.h"
 #include "grounding/likelihood.h"
 #include "grounding/numbers.h"
 #include "grounding/polish.h"
@@ -132,7 +133,7 @@ std::variant<Grounded, Rejection> ground(const Specification& specification, con
     if (!within_rounds(enforcer, editor, constraints, parts, options.rounds)) {
       return rejected(specification, home.scene, editor.failure());
     }
-    polish(editor, [&] {
+    polish(editor, goal_places(specification.goal), [&] {
       return std::all_of(constraints.begin(), constraints.end(),
                          [&](const Formula& constraint) { return enforcer.holds(constraint); }) &&
              std::none_of(parts.begin(), parts.end(), [&](const Formula& part) { return holds(part, enforcer.now()); });

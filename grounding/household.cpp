@@ -38,6 +38,7 @@ Household::Household(const Knowledge& knowledge, const CommonSense& sense, Start
         if (kinds_.is_a(fact->kind, apart[rule].second)) apart_[category.name].second.push_back(rule);
       }
       if (sense.used_for(fact->kind, PlaceUse::PutAway)) put_away_.insert(category.name);
+      if (sense.used_for(fact->kind, PlaceUse::DirtyOrNot)) washing_.insert(category.name);
     }
     if (!category.movable) continue;
     if (const auto kind = kind_of(category.name); !kind.empty() && !rooms_.contains(kind)) {

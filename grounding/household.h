@@ -42,6 +42,10 @@ class Household {
   /// Whether things of the category are kept on or in a receptacle that stands in such a room. What stands about is in
   /// any room that suits it at times; into places of PlaceUse::PutAway it goes only in rooms where it usually is.
   bool keeps(std::string_view category, std::string_view receptacle, std::string_view room) const;
+  /// Whether things are put away on or in such a receptacle (PlaceUse::PutAway), and whether they go into it to be
+  /// washed or thrown away (PlaceUse::DirtyOrNot).
+  bool puts_away(std::string_view receptacle) const { return put_away_.contains(receptacle); }
+  bool washes(std::string_view receptacle) const { return washing_.contains(receptacle); }
   /// How usual it is that things of a movable category are on the floor, from 0 to 1: 0 unless CommonSense calls it
   /// usual, but toys are left there at times.
   double on_floor(std::string_view category) const;
@@ -67,6 +71,7 @@ class Household {
   std::map<std::string, Rules, std::less<>> apart_;       // by category; of those that a rule speaks of
   std::map<std::string, std::string, std::less<>> kind_;  // by category
   std::set<std::string, std::less<>> put_away_;           // receptacles of PlaceUse::PutAway
+  std::set<std::string, std::less<>> washing_;            // receptacles of PlaceUse::DirtyOrNot
   std::map<std::string, std::vector<Place>, std::less<>> places_;
   std::map<std::string, std::map<std::string, double, std::less<>>, std::less<>> rooms_;  // by kind, then type of room
   std::map<std::string, double, std::less<>> on_floor_;                                   // by kind

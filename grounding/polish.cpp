@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,8 @@ constexpr double kContactDepth_m = 1e-3;  // resting contacts are no deeper
 
 class Polish {
  public:
-  Polish(SceneEditor& editor, const std::function<bool()>& is_sound) : editor_(editor), is_sound_(is_sound) {}
+  Polish(SceneEditor& editor, const GoalPlaces& places, const std::function<bool()>& is_sound)
+      : editor_(editor), places_(places), is_sound_(is_sound) {}
 
   void run() {
     for (const Node& node : changed()) {
@@ -29,6 +31,12 @@ class Polish {
     }
     for (const Node& node : changed()) {
       if (node.movable && oddness_of(workspace(), node) != Oddness::None) find_likelier_place(node);
+    }
+    for (const auto& [category, places] : places_) {
+      if (workspace().household() != nullptr &&
+          std::any_of(places.begin(), places.end(),
+                      [&](const std::string& place) { return workspace().household()->washes(place); }))
+        take_one_out(category, places);
     }
     editor_.refresh();
   }
@@ -88,12 +96,46 @@ class Polish {
     editor_.refresh();
   }
 
+  bool is_put_away(const Node& node) {
+    const auto entity = workspace().current_state().reader().find(node.id);
+    const auto& trace = workspace().current_state().now();
+    const auto& relations = trace.states.front().relations(*entity);
+    return std::any_of(relations.begin(), relations.end(), [&](const auto& one) {
+      if (one.first != Predicate::On && one.first != Predicate::Inside) return false;
+      const auto host = workspace().places().find(trace.entities[one.second].id);
+      return host && workspace().household()->puts_away(workspace().scene().nodes[*host].category);
+    });
+  }
+
+  /// Moves one of the things from where it is put away, if all of them are, to where neither they are nor the goal puts
+  /// them.
+  void take_one_out(const std::string& category, const std::set<std::string>& goal) {
+    editor_.refresh();
+    std::vector<Node> things;
+    for (const Node& node : workspace().scene().nodes) {
+      if (node.category == category && node.movable) things.push_back(node);
+    }
+    if (things.empty() || !std::all_of(things.begin(), things.end(), [&](const Node& one) { return is_put_away(one); }))
+      return;
+    const Node& before = things.front();
+    if (!workspace().carried_by(*workspace().places().find(before.id)).empty()) return;
+    const bool moved = editor_.relocate(before.id, [&](const Node& host) {
+      return !workspace().household()->puts_away(host.category) && !goal.contains(host.category);
+    });
+    if (moved) editor_.refresh();
+    if (!moved || !is_sound_()) editor_.replace(before);
+    editor_.refresh();
+  }
+
   SceneEditor& editor_;
+  const GoalPlaces& places_;
   const std::function<bool()>& is_sound_;
 };
 
 }  // namespace
 
-void polish(SceneEditor& editor, const std::function<bool()>& is_sound) { Polish(editor, is_sound).run(); }
+void polish(SceneEditor& editor, const GoalPlaces& places, const std::function<bool()>& is_sound) {
+  Polish(editor, places, is_sound).run();
+}
 
 }  // namespace unietp

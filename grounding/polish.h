@@ -2,6 +2,7 @@
 
 #include <functional>
 
+#include "grounding/goal_places.h"
 #include "grounding/scene_editor.h"
 
 namespace unietp {
@@ -10,9 +11,11 @@ namespace unietp {
 ///
 /// - what was moved or changed on the way and need not be is as in the home again;
 /// - what is where or as hardly anything is (oddness_of) goes to a likelier place: a mug that was made dirty in a
-///   cabinet goes into the sink.
+///   cabinet goes into the sink;
+/// - when all things of a category that is to go where things are washed are put away (PlaceUse::PutAway), as if they
+///   were clean, one of them goes elsewhere. `places`: where the goal puts things.
 ///
 /// Each such edit is kept only if `is_sound` of the scene afterwards. Deterministic; the tries are bounded.
-void polish(SceneEditor& editor, const std::function<bool()>& is_sound);
+void polish(SceneEditor& editor, const GoalPlaces& places, const std::function<bool()>& is_sound);
 
 }  // namespace unietp
