@@ -40,8 +40,9 @@ struct Tally {
 
 /// Mistakes that nobody can make: a dry cloth takes no dirt off, so what is soaked too late was not what cleaned, and
 /// another one that was soaked in time is as good. What cannot be carried to a tap cannot be watered before any vessel
-/// is filled.
+/// is filled. Who opens nothing has left the wrong machine shut and the right one too.
 bool cannot_be_made(const Specification& made, const Knowledge& knowledge, Mistake mistake) {
+  if (mistake == Mistake::Decoy) return made.template_name == "move-all-never-open";
   if (mistake != Mistake::WrongOrder) return false;
   const auto stays = [&](const auto& bound) {
     return bound.first == "B" && !knowledge.has(bound.second, "pickupable");
