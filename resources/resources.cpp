@@ -8,6 +8,7 @@
 #include "core/digest.h"
 #include "core/files.h"
 #include "core/text.h"
+#include "core/version.h"
 #include "resources/template_library.h"
 
 namespace unietp {
@@ -77,6 +78,25 @@ InputsReading read_inputs(const DataFolders& folders) {
   return {{*tables, std::move(templates), "knowledge-6-" + digest.substr(0, 32) + ".sqlite"}, {}};
 }
 
+/// Where tables of the data folder do not read, adds what to do: they may have come with another version.
+std::vector<Error> with_advice(const DataFolders& folders, std::vector<Error> errors) {
+  const std::string data = (folders.root / "data").string();
+  const bool unread = std::any_of(errors.begin(), errors.end(), [&](const Error& error) {
+    return (error.kind == Error::Kind::Parse || error.kind == Error::Kind::Schema) &&
+           error.where.starts_with(data + "/");
+  });
+  const bool told = std::any_of(errors.begin(), errors.end(), [&](const Error& error) { return error.where == data; });
+  if (unread && !told) {
+    errors.push_back({Error::Kind::Usage,
+                      data,
+                      {},
+                      "unietp " + std::string(program_version()) + " (" + std::string(program_build()) +
+                          ") cannot read these tables; if they came with another version, use that version, or give "
+                          "this one its own data with --data or UNIETP_DATA"});
+  }
+  return errors;
+}
+
 CompiledKnowledge compile_inputs(const fs::path& folder, const DataFolders& folders, const KnowledgeInputs& inputs) {
   std::error_code code;
   fs::create_directories(folder, code);
@@ -85,7 +105,7 @@ CompiledKnowledge compile_inputs(const fs::path& folder, const DataFolders& fold
   auto partial = database;
   partial += "." + std::to_string(::getpid()) + ".tmp";  // of each process its own; a killed one may leave it
   auto errors = compile_knowledge(folders.tables(), partial, folders.overrides);
-  if (!errors.empty()) return {{}, std::move(errors)};
+  if (!errors.empty()) return {{}, with_advice(folders, std::move(errors))};
   if (const auto put = store_templates(partial, folders.root, inputs.templates.files); !put) return {{}, {put.error()}};
   fs::rename(partial, database, code);
   if (code) return {{}, {io_error(database, "cannot rename the compiled knowledge: " + code.message())}};
@@ -144,6 +164,7 @@ BackendsReading load_backends(const DataFolders& folders) {
     NounTable nouns(*knowledge);
     reading.backends.push_back({std::move(*knowledge), *profile, std::move(nouns), std::make_shared<BritishNouns>()});
   }
+  reading.errors = with_advice(folders, std::move(reading.errors));
   return reading;
 }
 
@@ -184,6 +205,7 @@ ResourcesReading load_resources(const DataFolders& folders) {
   } else {
     resources.digest = *digest;
   }
+  reading.errors = with_advice(folders, std::move(reading.errors));
   return reading;
 }
 

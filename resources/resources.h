@@ -44,7 +44,8 @@ struct CompiledKnowledge {
 /// The database of the tables and the built-in templates. Its file name holds the digest of both. It is taken from
 /// `folders.compiled()`, which is only read, else from the cache, and compiled into the cache when neither has it. Safe
 /// for several processes at once. A template with errors is stored as it is; they are reported when it is loaded.
-/// Errors: those of compile_knowledge, all of them; Io when the cache folder cannot be written.
+/// Errors: those of compile_knowledge, all of them, and then Usage with the program's version and what to do, since
+/// tables that do not read may have come with another version; Io when the cache folder cannot be written.
 CompiledKnowledge compiled_knowledge(const DataFolders& folders);
 /// The same, compiled into `folder` even when there is a database already.
 CompiledKnowledge compile_knowledge_into(const std::filesystem::path& folder, const DataFolders& folders);

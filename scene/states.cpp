@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "scene/simulator_info.h"
+
 namespace unietp {
 namespace {
 
@@ -44,16 +46,8 @@ const std::vector<StateGroup>& state_groups() {
 }
 
 bool shows(Simulator simulator, Predicate state) {
-  switch (simulator) {
-    case Simulator::Habitat:
-      return state == Predicate::Open;
-    case Simulator::Virtualhome:
-      return state == Predicate::Open || state == Predicate::PowerOn;
-    case Simulator::Ai2thor:
-    case Simulator::Behavior:
-      return true;
-  }
-  return true;
+  const SimulatorInfo& row = info(simulator);
+  return row.all_states || std::find(row.shows.begin(), row.shows.end(), state) != row.shows.end();
 }
 
 std::optional<Predicate> opposite_of(Predicate state) {

@@ -7,6 +7,7 @@
 
 #include "core/text.h"
 #include "scene/simulator.h"
+#include "scene/simulator_info.h"
 #include "scores/failure_class.h"
 #include "scores/figures.h"
 #include "scores/table_cells.h"
@@ -17,19 +18,6 @@ namespace {
 constexpr std::array kSplitColumns{SplitColumn{"atomic", "At."}, SplitColumn{"compositional", "Co."},
                                    SplitColumn{"logical", "Lo."}, SplitColumn{"instance_grounding", "In."},
                                    SplitColumn{"linguistic", "Li."}};
-std::string_view title_of(Simulator simulator) {
-  switch (simulator) {
-    case Simulator::Ai2thor:
-      return "AI2-THOR";
-    case Simulator::Virtualhome:
-      return "VirtualHome";
-    case Simulator::Habitat:
-      return "Habitat";
-    case Simulator::Behavior:
-      return "BEHAVIOR";
-  }
-  return "";
-}
 constexpr const char* kRates = "Success rates in percent, each with its 95 % interval.";
 
 /// The runs with what all tables need.
@@ -108,7 +96,7 @@ std::vector<RateColumn> columns_by_split() {
 std::vector<RateColumn> columns_by_simulator() {
   std::vector<RateColumn> columns;
   for (const Simulator simulator : kSimulators)
-    columns.push_back({std::string(title_of(simulator)), {{"simulator", std::string(name_of(simulator))}}});
+    columns.push_back({std::string(info(simulator).title), {{"simulator", std::string(name_of(simulator))}}});
   columns.push_back({"Avg.", {}});
   return columns;
 }
@@ -116,7 +104,7 @@ std::vector<RateColumn> columns_by_simulator() {
 std::vector<RateColumn> columns_by_template() {
   std::vector<RateColumn> columns;
   for (const Simulator simulator : kSimulators) {
-    const std::string name(name_of(simulator)), title(title_of(simulator));
+    const std::string name(name_of(simulator)), title(info(simulator).title);
     columns.push_back({title + " seen", {{"simulator", name}, {"held_out", "no"}}});
     columns.push_back({title + " unseen", {{"simulator", name}, {"held_out", "yes"}}});
   }

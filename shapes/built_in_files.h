@@ -10,7 +10,7 @@ struct BuiltInFile {
   std::string_view name, text;
 };
 
-/// The files of data/shapes, by name; categories.csv last.
+/// The files of data/shapes: the families by name, then devices.csv and categories.csv.
 std::vector<BuiltInFile> built_in_shape_files();
 
 }  // namespace unietp

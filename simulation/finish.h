@@ -1,6 +1,6 @@
 #pragma once
 
-#include "simulation/device.h"
+#include "shapes/device.h"
 #include "simulation/paint.h"
 #include "simulation/solid.h"
 

@@ -19,7 +19,8 @@ Look look_of(const Node& node, const ShapeFamily* family) {
   const StateSet& states = node.states;
   look.base = paint_of(node, family);
   look.matter = matter_of(node, family);
-  look.device = device_of(node);
+  if (states.has(Predicate::PowerOn) || states.has(Predicate::PowerOff))
+    look.device = device_of(built_in_devices(), node.category);
   look.seed = number_of(node.id);
   look.half = node.size / 2;
   constexpr double kStains = 4, kLeast_m = 0.06, kMost_m = 0.9;  // stains across an object

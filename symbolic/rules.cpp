@@ -2,13 +2,15 @@
 
 #include <algorithm>
 
+#include "scene/simulator_info.h"
+
 namespace unietp::symbolic {
 
 Capabilities capabilities_of(Simulator simulator, ActionProfile profile) {
   Capabilities capabilities;
   capabilities.actions = actions_of(simulator, profile);
   capabilities.power_needs_plug = capabilities.has(ActionType::PlugIn);
-  capabilities.attaching = profile == ActionProfile::Wide && simulator == Simulator::Behavior;
+  capabilities.attaching = profile == ActionProfile::Wide && info(simulator).attaches;
   return capabilities;
 }
 

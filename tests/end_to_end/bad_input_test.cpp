@@ -5,6 +5,7 @@
 
 #include "core/files.h"
 #include "core/text.h"
+#include "core/version.h"
 #include "program.h"
 
 namespace unietp {
@@ -112,6 +113,26 @@ TEST_F(OwnData, ATableWithAWrongColumnIsPlaced) {
   ASSERT_TRUE(text);
   ASSERT_TRUE(write_file(file, replace_all(*text, "category,affordance,", "category,afordance,")));
   expect_refused(generate(), "affordance.csv:1:[0-9]+: ", "affordance");
+}
+TEST_F(OwnData, TablesOfANewerVersionAreRefusedWithWhatToDo) {
+  const auto data = folder_.path() / "own" / "data";
+  const auto table = data / "akb" / "virtualhome" / "alias.csv";
+  const auto text = read_file(table);
+  ASSERT_TRUE(text);
+  ASSERT_TRUE(write_file(table, replace_all(*text, "\n", ",0.5\n")));  // each row has a column more
+  const auto profile = data / "simulators" / "habitat.json";
+  for (int later = 0; later < 2; ++later) {
+    const auto ended = generate();
+    expect_refused(
+        ended, later == 0 ? "alias.csv:1:[0-9]+: " : "habitat.json: ",
+        "cannot read these tables; if they came with another version, use that version, or give this one its "
+        "own data with --data or UNIETP_DATA");
+    const auto lines = split(trim(ended.err), '\n');
+    EXPECT_THAT(lines.back(), HasSubstr(data.string() + ": "));
+    EXPECT_THAT(lines.back(), HasSubstr("unietp " + std::string(program_version()) + " ("));
+    ASSERT_TRUE(write_file(table, *text));
+    ASSERT_TRUE(write_file(profile, replace_all(*read_file(profile), "\"hands\"", "\"arms\"")));
+  }
 }
 TEST_F(OwnData, ARowWithAColumnTooManyIsPlaced) {
   const auto file = folder_.path() / "own" / "data" / "akb" / "ai2thor" / "affordance.csv";

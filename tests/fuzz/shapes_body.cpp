@@ -1,12 +1,19 @@
 #include "bodies.h"
 #include "core/shape_limits.h"
 #include "fuzz_bodies.h"
+#include "shapes/device.h"
 #include "shapes/library.h"
 #include "support.h"
 
 namespace unietp::fuzz {
 
 bool shapes_body(std::string_view text) {
+  const std::size_t tables = text.rfind("++++\n");
+  const DeviceTable devices =
+      read_devices("devices.csv", tables == std::string_view::npos ? "part,device\n" : text.substr(tables + 5));
+  for (const Error& error : devices.errors) check_error(error);
+  for (const DeviceRow& row : devices.rows) require(device_of(devices.rows, row.part) == row.device);
+  text = text.substr(0, tables);
   const std::size_t end = text.find("====\n");
   const ShapeLibrary::File families{"fuzz.shapes", std::string(text.substr(0, end))};
   const ShapeLibrary::File categories{
@@ -25,7 +32,7 @@ bool shapes_body(std::string_view text) {
     for (const Error& fault : faults_of(family, {0.1, 0.2, 0.3}, 0.004)) check_error(fault);
   }
   (void)reading.library.family_of(Simulator::Ai2thor, "CoffeeMug", Archetype::Vessel);
-  return reading.errors.empty();
+  return reading.errors.empty() && devices.errors.empty();
 }
 
 }  // namespace unietp::fuzz

@@ -7,6 +7,7 @@
 #include "core/files.h"
 #include "core/rng.h"
 #include "core/sexpr.h"
+#include "shapes/device.h"
 #include "shapes/library.h"
 
 namespace unietp {
@@ -166,6 +167,32 @@ TEST(ShapeLibrary, RefusesRowsThatNameNothing) {
   EXPECT_EQ(format(reading.errors[0]), "categories.csv:2:10: schema error: there is no family \"mgu\"");
   EXPECT_EQ(reading.errors[1].pos, (SourcePos{3, 1}));
   EXPECT_EQ(format(reading.errors[2]), "categories.csv:4:6: schema error: \"mug\" has a row already");
+}
+
+TEST(Devices, AreThoseOfTheFirstRowThatFits) {
+  const DeviceTable table = read_devices("devices.csv", "part,device\nlightswitch,appliance\nlight,lamp\ntv,screen\n");
+  ASSERT_TRUE(table.errors.empty()) << format(table.errors.front());
+  EXPECT_EQ(device_of(table.rows, "LightSwitch"), Device::Appliance);
+  EXPECT_EQ(device_of(table.rows, "ceiling_light"), Device::Lamp);
+  EXPECT_EQ(device_of(table.rows, "t_v"), Device::Screen);
+  EXPECT_EQ(device_of(table.rows, "toaster"), Device::Appliance);
+}
+
+TEST(Devices, RefuseRowsThatAreUnknownOrNeverUsed) {
+  const DeviceTable table =
+      read_devices("devices.csv", "part,device\nlight,lamp\nLamp,lamp\ntap,water\nheadlight,lamp\n");
+  ASSERT_EQ(table.errors.size(), 3U);
+  EXPECT_EQ(format(table.errors[0]), "devices.csv:3:1: schema error: expected lower case without \"_\"");
+  EXPECT_EQ(table.errors[1].pos, (SourcePos{4, 5}));
+  EXPECT_EQ(format(table.errors[2]),
+            "devices.csv:5:1: schema error: is never used: the row of \"light\" above decides for it");
+}
+
+TEST(Devices, OfTheProgramAreThoseOfItsFile) {
+  const DeviceTable table = read_devices("devices.csv", *read_file(kShapes / "devices.csv"));
+  for (const Error& error : table.errors) ADD_FAILURE() << format(error);
+  EXPECT_EQ(built_in_devices(), table.rows);
+  EXPECT_EQ(device_of(built_in_devices(), "StoveBurner"), Device::Burner);
 }
 
 /// A family's tree of parts without its numbers, colors and words.
