@@ -39,6 +39,14 @@ bool has_until(const Formula& f) {
   return f.op == Op::Until || std::any_of(f.children.begin(), f.children.end(), has_until);
 }
 
+/// The states of the variable that a formula asks for.
+void add_states(const Formula& f, const std::string& variable, std::vector<Formula>& into) {
+  const bool state = f.op == Op::Atom && f.terms.size() == 1 && f.terms[0].name == variable;
+  if (state && f.predicate != Predicate::Held) into.push_back(f);
+  if (f.op == Op::Not || f.op == Op::Or || f.op == Op::Imply || f.op == Op::Until) return;
+  for (const Formula& child : f.children) add_states(child, variable, into);
+}
+
 bool is_what_is_not(const Domain& domain) { return !domain.where.empty() && domain.where[0].op == Op::Not; }
 
 }  // namespace
@@ -81,6 +89,21 @@ Formula plainly_in_home(const Formula& goal, const HomeCounts& home) {
   }
   for (Formula& child : result.children) child = plainly_in_home(child, home);
   return result;
+}
+
+std::vector<std::string> meant_alone(const Formula& goal, const HomeCounts& home) {
+  std::vector<std::string> meant;
+  for (const Formula* f = &goal; f->op == Op::Exists; f = &f->children[0]) {
+    std::vector<Formula> asked;
+    add_states(f->children[0], f->variable, asked);
+    if (asked.empty() || home.members(f->domain, f->variable).size() < 2) continue;
+    Domain left = f->domain;
+    left.where.push_back(negation(conjunction(std::move(asked))));
+    left.where = {conjunction(std::move(left.where))};
+    if (home.members(left, f->variable).size() == 1) meant.push_back(f->variable);
+  }
+  std::sort(meant.begin(), meant.end());
+  return meant;
 }
 
 }  // namespace unietp

@@ -154,8 +154,11 @@ NounPhrase PhraseReader::phrase() {
     return read;
   }
   if (accept_one({"every", "each"}) >= 0) return as(Determiner::Every);
-  if (accept_one({"all of the", "all the", "all", "both of the", "both the", "both"}) >= 0)
+  if (accept_one({"all of the", "all the", "all"}) >= 0) return as(Determiner::Every, true);
+  if (accept_one({"both of the", "both the", "both"}) >= 0) {
+    read.promised = 2;
     return as(Determiner::Every, true);
+  }
   static constexpr std::pair<Determiner, std::string_view> kCounts[] = {
       {Determiner::Exactly, "exactly"},       {Determiner::Exactly, "precisely"}, {Determiner::AtLeast, "at least"},
       {Determiner::AtLeast, "no fewer than"}, {Determiner::AtMost, "at most"},    {Determiner::AtMost, "no more than"}};
@@ -287,7 +290,7 @@ void PhraseReader::description(NounPhrase& read) {
   direct_description(read);
   if (failed()) return;
   const bool negated = accept_one({"that isn't", "that aren't", "which isn't"}) >= 0;
-  if (negated || accept_one({"that is", "that are", "which is", "which are"}) >= 0) {
+  if (negated || accept_one({"that is", "that's", "that are", "which is", "which are"}) >= 0) {
     accept_one({"now", "currently"});
     do {
       read.modifiers.push_back(complement());
