@@ -75,7 +75,8 @@ class Author {
     }
     filled += phrasing.substr(at);
     // "Take the mug that is on the desk": people take it off the desk.
-    if (filled.starts_with("Take ") && (filled.find(" that is ") != filled.npos || filled.find(" that's ") != filled.npos))
+    if (filled.starts_with("Take ") &&
+        (filled.find(" that is ") != filled.npos || filled.find(" that's ") != filled.npos))
       return std::nullopt;
     filled = with_everyday_floors(std::move(filled));
     filled = with_it_before_particles(std::move(filled));
@@ -159,7 +160,8 @@ class Author {
       thing.noun.where.clear();
     }
     // What is put somewhere is not described by another place: "put the mug that is on the desk on the shelf".
-    if (place.moved && std::any_of(thing.modifiers.begin(), thing.modifiers.end(), describes_by_place))
+    if (place.moved && !naming_.was_named(variable) &&
+        std::any_of(thing.modifiers.begin(), thing.modifiers.end(), describes_by_place))
       return std::nullopt;
     if (slot.form == "slice" && !of_slices(thing.noun)) return std::nullopt;
     place.inside_description = !whole;

@@ -233,7 +233,8 @@ void join_subjects(std::vector<Clause>& clauses) {
       const auto is_elsewhere = [](const Clause& c) {
         return std::any_of(c.subjects[0].modifiers.begin(), c.subjects[0].modifiers.end(), describes_by_place);
       };
-      if (plain && !clauses[i].complements[0].object.empty() && (is_elsewhere(clauses[i]) || is_elsewhere(clauses[k]))) {
+      if (plain && !clauses[i].complements[0].object.empty() &&
+          (is_elsewhere(clauses[i]) || is_elsewhere(clauses[k]))) {
         ++k;
         continue;
       }

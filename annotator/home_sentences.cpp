@@ -26,8 +26,8 @@ std::vector<std::string> places_of(const Formula& part, const Formula& goal) {
 
 class SentenceWriter {
  public:
-  SentenceWriter(const Trace& start, const Formula& goal, const std::vector<std::string>& own,
-                 const std::string& text, const Knowledge& knowledge, const NounTable& nouns)
+  SentenceWriter(const Trace& start, const Formula& goal, const std::vector<std::string>& own, const std::string& text,
+                 const Knowledge& knowledge, const NounTable& nouns)
       : start_(start),
         facts_(start.states.front()),
         own_(own),
@@ -74,7 +74,8 @@ class SentenceWriter {
     const Entity &here = start_.entities[thing], &there = start_.entities[place];
     if (std::find(places_.begin(), places_.end(), there.category) == places_.end()) return;
     const auto *category = knowledge_.find(here.category), *holder = knowledge_.find(there.category);
-    if (category == nullptr || holder == nullptr || holder->movable || nouns_.display(there.category) == nullptr) return;
+    if (category == nullptr || holder == nullptr || holder->movable || nouns_.display(there.category) == nullptr)
+      return;
     if (relation != P::On && relation != P::Inside) return;
     const auto* known = knowledge_.placement(here.category, relation, there.category);
     if (!category->movable || known == nullptr || known->likelihood < kLikely) return;

@@ -59,7 +59,7 @@ Text taken_away(const Clause& clause, Naming& naming) {
     return where && !clause.put_down ? Text("don't leave any " + *any + " " + *where) : std::nullopt;
   }
   NounPhrase there = as(clause.subjects[0], Determiner::Every);
-  if (clause.there_now > 0) there.there = clause.there_now;
+  there.there = clause.there_now;
   there.two = there.there == 2;
   const auto all = naming.phrase(there, {.together = true});
   const Text where = all ? from(place, there.there, naming) : std::nullopt;
@@ -127,7 +127,7 @@ std::optional<std::string> left_alone(const Clause& clause, Naming& naming) {
   const NounPhrase& subject = clause.subjects[0];
   const Complement& said = clause.complements[0];
   if (subject.determiner == Determiner::Every && said.predicate == P::On && naming.distracts()) {
-    const auto all = naming.phrase(subject, {});
+    const auto all = naming.phrase(subject, {.together = true});
     Complement place = said;
     const bool one = subject.there == 1 && place.object[0].determiner == Determiner::Any;
     if (one) place.object[0].determiner = Determiner::New;

@@ -113,8 +113,9 @@ class TextChecker {
  private:
   Result<std::vector<Reading>> readings(const std::string& text) const {
     auto read = readings_of(text, lexicon_);
-    if (!read || (read->size() == 1 && read->front().facts.empty())) return read;
-    return readings_in_home(std::move(*read), knowledge_, home_ == nullptr ? nullptr : &start());
+    const Trace* here = home_ == nullptr ? nullptr : &start();
+    if (!read || (read->size() == 1 && facts_hold(read->front(), here))) return read;
+    return readings_in_home(std::move(*read), knowledge_, here);
   }
 
   /// In the style `condition` without the conditions that the start meets.
@@ -289,7 +290,8 @@ class Writer {
         Rng own = rng.fork("phrasing", i * kAuthoredDraws + draw);
         const double pronouns = draw == 0 ? 1 : 0;
         auto text = authored_text(phrasings[i], specification_, nouns_,
-                                  {style, true, judge_.alone(), judge_.there(), judge_.meant_by_author(), pronouns}, judge_.counts(), own);
+                                  {style, true, judge_.alone(), judge_.there(), judge_.meant_by_author(), pronouns},
+                                  judge_.counts(), own);
         if (!text || !framed(*text, style, own)) break;
         if (style == Style::Ellipsis && !with_contrast(*text, own)) break;
         auto written = accepted(*text, style);

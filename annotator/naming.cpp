@@ -104,6 +104,12 @@ std::vector<std::string> Naming::uses(const Domain& noun) const {
   return {"what I need"};
 }
 
+bool Naming::names_by_use(const Domain& noun) const {
+  const auto named = uses(noun);
+  return std::any_of(named.begin(), named.end(),
+                     [&](const std::string& use) { return !everyday() || use.starts_with("something "); });
+}
+
 std::optional<std::string> Naming::singular(const Domain& domain) {
   const auto bare = noun(domain, false);
   if (!bare || bare->function) return std::nullopt;
@@ -191,8 +197,7 @@ std::optional<Words> Naming::phrase(const NounPhrase& said, Place place) {
   if (said.determiner == Determiner::Agent) return Words{"you", true};
   const auto bare = noun(said.noun, place.exact);
   if (!bare) return std::nullopt;
-  if (!said.variable.empty() && was_named(said.variable))
-    return again(said, *bare, place);
+  if (!said.variable.empty() && was_named(said.variable)) return again(said, *bare, place);
   if (!said.variable.empty() && (place.inside_description || place.beside_none)) {
     if (!everyday() || !is_alone(said.noun) || !said.modifiers.empty()) return std::nullopt;
     mentioned_.push_back(said.variable);
@@ -304,6 +309,11 @@ std::optional<Words> Naming::first(const NounPhrase& said, const Noun& noun, Pla
   if (again_one) return Words{"the " + before + "one" + tail};
   if (description.of_two) return Words{"the " + before + "of the two " + noun.plural + tail};
   if (everyday() && !another) return first_everyday(said, noun, place, description);
+  if (another && everyday() && place.moved && said.modifiers.empty() && noun.countable) {
+    const auto last =
+        std::find_if(named_.begin(), named_.end(), [&](const Named& one) { return one.variable == topic_; });
+    if (last != named_.end() && last->noun == said.noun) return Words{"another"};
+  }
   if (another) {
     const std::string word = before + (noun.countable ? noun.singular : "piece of " + noun.singular);
     return Words{(everyday() || rng_.chance(0.7) ? "another " : "a different ") + word + tail};

@@ -34,17 +34,17 @@ struct Place {
   bool beside_every = false;  // "put every mug on …": a bare "a table" would have two readings
   bool beside_none = false;   // "no mug is on …": nothing new can be named
   bool inside_description = false;
-  bool unique = false;     // the home has one only: "nearest to the sink"
-  bool denied = false;     // of a description: what it does not fit, "that is not in any sink"
-  bool wanted = false;     // some such thing, not one that is there: "someone wants a hot potato"
-  bool bare = false;       // no place follows, so a place can describe the noun: "open the drawer in the kitchen"
-  bool bare_room = false;  // only a room can: "on the table in the kitchen"
-  bool together = false;   // "all the mugs" rather than "every mug"
-  bool chosen = false;     // "choose a kitchen": there may be several
-  bool outcome = false;    // of what will be so at the end: what describes it is so now
-  bool beside_the = false; // in a list with what there is one of
-  bool sought = false;     // of what is fetched: "something to drink from"
-  bool moved = false;      // what is put somewhere: "it" is what the last command was about
+  bool unique = false;      // the home has one only: "nearest to the sink"
+  bool denied = false;      // of a description: what it does not fit, "that is not in any sink"
+  bool wanted = false;      // some such thing, not one that is there: "someone wants a hot potato"
+  bool bare = false;        // no place follows, so a place can describe the noun: "open the drawer in the kitchen"
+  bool bare_room = false;   // only a room can: "on the table in the kitchen"
+  bool together = false;    // "all the mugs" rather than "every mug"
+  bool chosen = false;      // "choose a kitchen": there may be several
+  bool outcome = false;     // of what will be so at the end: what describes it is so now
+  bool beside_the = false;  // in a list with what there is one of
+  bool sought = false;      // of what is fetched: "something to drink from"
+  bool moved = false;       // what is put somewhere: "it" is what the last command was about
   bool exact = false;  // within a proposition: what is bound has one name, "some mug … the mug", and is never "it"
 };
 
@@ -86,8 +86,8 @@ class Naming {
   /// "clean", "on that table", "filled with water".
   std::optional<std::string> complement(const Complement& complement, Place place);
   bool was_named(const std::string& variable) const;
-  /// Whether such an object is first named by its function.
-  bool names_by_use(const Domain& noun) const { return !uses(noun).empty(); }
+  /// Whether such an object may be named by its use alone, "something to drink from".
+  bool names_by_use(const Domain& noun) const;
   /// Whether it is sprinkled on food: salt, and what else the home's base has a shaker of.
   bool comes_from_a_shaker(const std::string& substance) const;
   /// The bare noun of one thing.
@@ -119,10 +119,10 @@ class Naming {
   bool is_what_it_means(const NounPhrase& phrase, Place place) const;
   /// What stands around a noun: "dirty", "that is on a desk", "nearest to the sink".
   struct Description {
-    std::string before;    // an adjective with a blank, or ""
-    std::string is;        // what follows "that is", or ""
-    std::string directly;  // what follows directly, with a leading blank, or ""
-    bool of_two = false;   // "the larger of the two mugs"
+    std::string before;     // an adjective with a blank, or ""
+    std::string is;         // what follows "that is", or ""
+    std::string directly;   // what follows directly, with a leading blank, or ""
+    bool of_two = false;    // "the larger of the two mugs"
     bool short_is = false;  // "that's on the desk"
     std::string tail(bool plural) const {
       return directly + (is.empty() ? "" : (plural ? " that are " : short_is ? " that's " : " that is ") + is);

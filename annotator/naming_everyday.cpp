@@ -46,7 +46,10 @@ int Naming::mentions_of(const Domain& noun) const {
 
 bool Naming::is_meant_alone(const NounPhrase& said) const {
   if (is_alone(said.noun)) return true;
-  return mentions_of(said.noun) <= 1 && std::binary_search(wording_.meant.begin(), wording_.meant.end(), said.variable);
+  const bool other = std::any_of(named_.begin(), named_.end(), [&](const Named& one) {
+    return one.noun == said.noun && one.variable != said.variable;
+  });
+  return !other && std::binary_search(wording_.meant.begin(), wording_.meant.end(), said.variable);
 }
 
 bool Naming::will_be_the(const NounPhrase& said) const {
@@ -83,8 +86,7 @@ Words Naming::first_everyday(const NounPhrase& said, const Noun& noun, Place pla
   const bool definite = the || place.unique || (described && !place.inside_description);
   if (const std::string pair = definite ? pair_name(said.noun, noun) : ""; !pair.empty())
     return {"the " + description.before + pair + description.tail(true), true};
-  if (definite)
-    return {"the " + description.before + noun.singular + tail, is_plural(noun)};
+  if (definite) return {"the " + description.before + noun.singular + tail, is_plural(noun)};
   const std::string one = description.before + (noun.countable ? noun.singular : "piece of " + noun.singular) + tail;
   if (place.beside_every) return {"the same " + one};
   if (says_one_of(said, noun, place, described)) return {"one of the " + noun.plural};

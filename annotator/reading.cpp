@@ -134,7 +134,12 @@ NounPhrase PhraseReader::phrase() {
     return read;
   }
   if (accept("that")) return as(Determiner::Known);
-  if (accept_one({"another", "a different"}) >= 0) return as(Determiner::Another);
+  if (accept_one({"another", "a different"}) >= 0) {
+    if (!moved_ || lexicon_.noun_at(tokens_, at_).length > 0 || !complement_comes()) return as(Determiner::Another);
+    read.determiner = Determiner::Another;  // "put a mug on the table and another on the shelf"
+    read.noun = *moved_;
+    return read;
+  }
   for (const auto& [words, size] : kOfTwo) {
     if (!accept(words)) continue;
     read.modifiers.push_back({P::Size, false, std::string(size), {}});

@@ -101,7 +101,7 @@ Term References::pronoun(int column) {
   if (found != latest.end()) std::rotate(found, found + 1, latest.end());
   const std::size_t back = choices_.choose(latest.size());
   const std::string& meant = latest[latest.size() - 1 - back];
-  strained_ = strained_ || (meant != last && meant != topic_);
+  strained_ = strained_ || (meant != last && (meant != topic_ || last.empty()));
   mentions_.push_back(meant);
   return reference_variable(meant);
 }

@@ -101,7 +101,7 @@ class References {
   std::vector<Domain> absent_;
   std::vector<std::string> mentions_;  // variables in order of the text, the latest last; "": what "it" cannot mean
   std::size_t clause_ = 0;             // mentions before the present clause
-  std::string topic_;  // a variable, or ""
+  std::string topic_;                  // a variable, or ""
   bool strained_ = false;
   int count_ = 0;
   std::optional<Error> error_;

@@ -38,10 +38,10 @@ void order_as_done(std::vector<Clause>& clauses) {
   };
   for (std::size_t i = 0; i < clauses.size(); ++i) {
     const std::string thing = clauses[i].subjects.empty() ? "" : clauses[i].subjects[0].variable;
-    if (thing.empty() || !is_state_of(clauses[i], thing) || !is_done_last(clauses[i].complements[0].predicate)) continue;
+    if (thing.empty() || !is_state_of(clauses[i], thing) || !is_done_last(clauses[i].complements[0].predicate))
+      continue;
     const auto at = clauses.begin() + static_cast<std::ptrdiff_t>(i);
-    const auto placed =
-        std::find_if(at, clauses.end(), [&](const Clause& clause) { return puts_it(clause, thing); });
+    const auto placed = std::find_if(at, clauses.end(), [&](const Clause& clause) { return puts_it(clause, thing); });
     if (placed != clauses.end()) std::rotate(at, at + 1, placed + 1);
   }
   for (std::size_t i = 1; i < clauses.size(); ++i) {
