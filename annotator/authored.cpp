@@ -1,6 +1,7 @@
 #include "annotator/authored.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 
 #include "annotator/phrase_plan.h"
@@ -14,6 +15,12 @@ namespace {
 
 using Op = Formula::Op;
 using Text = std::optional<std::string>;
+
+/// After which something may be named by its use alone.
+constexpr std::array<std::string_view, 4> kFetches{"get ", "grab ", "bring ", "find "};
+
+/// Words that go with one thing.
+constexpr std::array<std::string_view, 6> kOfOne{"it", "is", "has", "belongs", "goes", "one"};
 
 /// "Turn on it" → "Turn it on". Verbs lack their first letter, which may be a capital.
 std::string with_it_before_particles(std::string text) {
@@ -48,18 +55,29 @@ class Author {
       filled = *fact + " ";
     }
     const std::size_t begin = filled.size();
+    const auto words = tokens_of(phrasing);
+    speaks_of_one_ = std::any_of(words.begin(), words.end(), [](const Token& word) {
+      return std::find(kOfOne.begin(), kOfOne.end(), word.text) != kOfOne.end();
+    });
     std::size_t at = 0;
     for (const Slot& slot : reading.slots) {
-      filled += phrasing.substr(at, slot.offset - at);
+      const std::string_view before = phrasing.substr(at, slot.offset - at);
+      filled += before;
       at = slot.offset + slot.length;
       naming_.begin_clause();
-      const Text said = words_for(slot);
+      const Place place{.beside_the = lists_the(reading.slots, slot, phrasing),
+                        .sought = is_fetched(before),
+                        .moved = goes_somewhere(reading.slots, slot, phrasing)};
+      const Text said = words_for(slot, before, place);
       if (!said || phrases_.error()) return std::nullopt;
       filled += *said;
+      if (&slot == &reading.slots.front()) naming_.set_topic(lower(slot.placeholder));
     }
     filled += phrasing.substr(at);
     // "Take the mug that is on the desk": people take it off the desk.
-    if (filled.starts_with("Take ") && filled.find(" that is ") != std::string::npos) return std::nullopt;
+    if (filled.starts_with("Take ") &&
+        (filled.find(" that is ") != filled.npos || filled.find(" that's ") != filled.npos))
+      return std::nullopt;
     filled = with_everyday_floors(std::move(filled));
     filled = with_it_before_particles(std::move(filled));
     if (begin < filled.size())
@@ -90,11 +108,49 @@ class Author {
     return std::nullopt;
   }
 
-  Text words_for(const Slot& slot) {
+  /// "Get something to drink from": nobody washes such a thing.
+  static bool is_fetched(std::string_view before) {
+    return std::any_of(kFetches.begin(), kFetches.end(),
+                       [&](std::string_view verb) { return lower(before).ends_with(verb); });
+  }
+
+  /// Whether a place or another thing follows: "put {A} {B:on}", "put {A} and {B} {C:on}".
+  static bool goes_somewhere(const std::vector<Slot>& slots, const Slot& slot, std::string_view phrasing) {
+    if (&slot == &slots.back()) return false;
+    const std::size_t end = slot.offset + slot.length;
+    const std::string_view link = phrasing.substr(end, (&slot + 1)->offset - end);
+    return link == " " || link == ", " || link == " and ";
+  }
+
+  /// Whether a slot is in a list, "{A}, {B} and {C}", with what there is one of.
+  bool lists_the(const std::vector<Slot>& slots, const Slot& slot, std::string_view phrasing) {
+    const auto goes_on = [&](const Slot& one, const Slot& next) {
+      const std::size_t end = one.offset + one.length;
+      const std::string_view link = phrasing.substr(end, next.offset - end);
+      return link == ", " || link == " and ";
+    };
+    const auto is_the = [&](const Slot& one) {
+      const auto found = phrases_.scope().find(lower(one.placeholder));
+      return found != phrases_.scope().end() &&
+             naming_.will_be_the(phrases_.reference(found->first, specification_.goal));
+    };
+    const std::size_t at = static_cast<std::size_t>(&slot - slots.data());
+    std::size_t from = at, to = at;
+    while (from > 0 && goes_on(slots[from - 1], slots[from])) --from;
+    while (to + 1 < slots.size() && goes_on(slots[to], slots[to + 1])) ++to;
+    return std::any_of(slots.begin() + static_cast<std::ptrdiff_t>(from),
+                       slots.begin() + static_cast<std::ptrdiff_t>(to) + 1, is_the);
+  }
+
+  Text words_for(const Slot& slot, std::string_view before, Place place) {
     const std::string variable = lower(slot.placeholder);
     const Formula* binder = binder_of(specification_.goal, variable);
     if (binder == nullptr) return std::nullopt;
-    if (slot.form.empty() || slot.form == "plural") return bare(*binder, slot.form == "plural");
+    if (slot.form.empty() || slot.form == "plural") {
+      // "In the same fridge", of a home with one.
+      if (before.ends_with("same ") && naming_.is_alone(binder->domain)) return std::nullopt;
+      return bare(*binder, slot.form == "plural");
+    }
     const bool whole = phrases_.scope().contains(variable);
     NounPhrase thing;
     if (whole) {
@@ -103,11 +159,17 @@ class Author {
       thing.noun = binder->domain;
       thing.noun.where.clear();
     }
+    // What is put somewhere is not described by another place: "put the mug that is on the desk on the shelf".
+    if (place.moved && !naming_.was_named(variable) &&
+        std::any_of(thing.modifiers.begin(), thing.modifiers.end(), describes_by_place))
+      return std::nullopt;
     if (slot.form == "slice" && !of_slices(thing.noun)) return std::nullopt;
-    const auto named = naming_.phrase(thing, {.inside_description = !whole});
-    if (!named || named->plural) return std::nullopt;
+    place.inside_description = !whole;
+    const auto named = naming_.phrase(thing, place);
+    if (!named || (named->plural && speaks_of_one_)) return std::nullopt;
     const bool article = slot.form == "indefinite" || slot.form == "definite" || slot.form == "slice";
-    return article ? named->text : replace_all(slot.form, "-", " ") + " " + named->text;
+    if (article) return named->text;
+    return (slot.form == "inside" ? "in" : replace_all(slot.form, "-", " ")) + " " + named->text;
   }
 
   /// The noun alone, to which the phrasing adds what it wants.
@@ -131,6 +193,7 @@ class Author {
 
   const Specification& specification_;
   const NounTable& lexicon_;
+  bool speaks_of_one_ = false;  // "the pants" would not go with "it"
   Style style_;
   Rng rng_;
   Plan plan_;

@@ -39,6 +39,7 @@ struct NounPhrase {
   bool by_function = false;           // "something to drink from"; named again as "that object"
   bool except = false;                // "every mug but the red one": all that the modifiers do not fit
   std::size_t there = 0;              // the writer's: how many such objects the start has; 0: not known
+  std::size_t promised = 0;           // the reader's: how many there have to be, "both mugs"; 0: any number
   bool two = false;                   // the writer's: the start has two such objects: "both mugs", "the larger mug"
   std::vector<Complement> modifiers;  // all true in the start state ("that is dirty")
   std::vector<Complement> done;       // to be brought about ("that you put a mug into"; "a slice of it")
@@ -56,6 +57,11 @@ struct Complement {
   bool converse = false;           // of a relation: the object comes first, "where a plate is kept"
 };
 
+/// "That is on the desk", of what is put somewhere: the hearer may take it for where it is to go.
+inline bool describes_by_place(const Complement& modifier) {
+  return !modifier.object.empty() && !modifier.converse && modifier.predicate != Predicate::Nearest;
+}
+
 /// A statement or command about subjects.
 struct Clause {
   enum class Kind { Simple, And, Or, Compare };
@@ -67,6 +73,7 @@ struct Clause {
   bool removal = false;       // Simple: "remove every A from B", subject No
   bool put_down = false;      // Simple: and none of that kind is in your hand: "…, and put them down"
   bool each_has_one = false;  // at each of the places is at least one: "divide all the mugs between A and B, …"
+  std::size_t there_now = 0;  // the writer's, Simple: how many of its subjects are so at the start; 0: not known
   bool poured = false;        // filled with what the clause before it was filled with: "…, then pour it into B"
   Comparison comparison = Comparison::Equal;  // Compare: Equal, Greater or AtLeast
   std::vector<Clause> parts;                  // And, Or

@@ -123,18 +123,21 @@ class ClausePlanner {
       const Formula positive = expanded_negation(body);
       if (phrases_.complements(positive, f.variable, said)) {
         said.subjects.push_back(phrases_.quantified(f, Determiner::No));
+        said.there_now = phrases_.there_now(f, positive);
         return said;
       }
       said = {};
       if (body.op == Op::Forall &&
           phrases_.complements(expanded_negation(turned(f).children[0]), body.variable, said)) {
         said.subjects.push_back(phrases_.quantified(body, Determiner::No));
+        said.there_now = phrases_.there_now(body, expanded_negation(turned(f).children[0]));
         return said;
       }
       said = {};
     }
     if (phrases_.complements(body, f.variable, said)) {
       said.subjects.push_back(phrases_.quantified(f, f.op == Op::Exists ? Determiner::Any : phrases_.counted(f)));
+      if (f.op == Op::Count) said.there_now = phrases_.there_now(f, body);
       return said;
     }
     const Formula& inner = body.op == Op::Not ? body.children[0] : body;
@@ -224,8 +227,17 @@ void join_subjects(std::vector<Clause>& clauses) {
                          !clauses[k].any_subject && clauses[k].subjects.size() == 1;
       const auto bare = [](const Clause& c) {
         const Determiner d = c.subjects[0].determiner;
-        return d != Determiner::Agent && d != Determiner::No && d != Determiner::Any;
+        return d != Determiner::Agent && d != Determiner::No && d != Determiner::Any && d != Determiner::AtMost;
       };
+      // "Put the mug that is on the desk and a plate in the sink" reads as if the plate were there, too.
+      const auto is_elsewhere = [](const Clause& c) {
+        return std::any_of(c.subjects[0].modifiers.begin(), c.subjects[0].modifiers.end(), describes_by_place);
+      };
+      if (plain && !clauses[i].complements[0].object.empty() &&
+          (is_elsewhere(clauses[i]) || is_elsewhere(clauses[k]))) {
+        ++k;
+        continue;
+      }
       if (!plain || !bare(clauses[i]) || !bare(clauses[k]) || !same_saying(clauses[i], clauses[k])) {
         ++k;
         continue;

@@ -118,6 +118,9 @@ std::optional<std::string> ClauseWriter::keeping(const Clause& clause) {
 std::optional<Words> ClauseWriter::subjects_of(const Clause& clause, Place place) {
   std::vector<std::string> texts;
   bool plural = clause.subjects.size() > 1 && !clause.any_subject;
+  place.beside_the = clause.subjects.size() > 1 &&
+                     std::any_of(clause.subjects.begin(), clause.subjects.end(),
+                                 [&](const NounPhrase& subject) { return naming_.will_be_the(subject); });
   for (const NounPhrase& subject : clause.subjects) {
     const std::size_t before = naming_.named_count();
     const auto words = naming_.phrase(subject, place);
@@ -193,7 +196,8 @@ std::optional<std::string> ClauseWriter::given(const Clause& part) {
       const bool on = naming_.everyday() && there.modifiers.size() == 1 && said->starts_with("switched ");
       states.push_back(on ? said->substr(said->find(' ') + 1) : *said);
     }
-    text += (text.empty() ? " if " : " and ") + subject->text + " is " + listed(states, "and");
+    text += (text.empty() ? " if " : " and ") + subject->text + " " + agreed("is", subject->plural) + " " +
+            listed(states, "and");
   }
   return text;
 }
@@ -224,7 +228,7 @@ std::optional<std::string> ClauseWriter::command(const Clause& clause) {
 }
 
 std::optional<std::string> ClauseWriter::worded(const Clause& clause) {
-  if (naming_.everyday() && is_idiom(clause)) return idiom(clause, naming_, rng_);
+  if (naming_.everyday() && is_idiom(clause)) return idiom(clause, naming_);
   if (clause.kind == Clause::Kind::And || clause.kind == Clause::Kind::Or) return joined_parts(clause, nullptr);
   if (clause.kind == Clause::Kind::Simple) {
     bool special = false;
@@ -238,6 +242,9 @@ std::optional<std::string> ClauseWriter::worded(const Clause& clause) {
       const auto& places = clause.complements[0].object;
       if (naming_.everyday() && !places.empty() && naming_.is_carried(places[0].noun))
         std::erase_if(patterns, [](const std::string& pattern) { return pattern == "move {s} to {o}"; });
+      // "Grab something to wear": what is named by its use is looked for.
+      if (naming_.everyday() && naming_.names_by_use(clause.subjects[0].noun))
+        std::erase_if(patterns, [](const std::string& pattern) { return pattern == "pick up {s}"; });
       // A table is cleaned, not washed.
       if (naming_.everyday() && !naming_.is_carried(clause.subjects[0].noun))
         std::erase_if(patterns, [](const std::string& pattern) { return pattern == "wash {s}"; });
@@ -303,7 +310,7 @@ std::optional<std::string> ClauseWriter::taken_first(const Clause& clause) {
   const Complement& goes = clause.complements[0];
   std::string off;
   Text there;
-  if (naming_.everyday() && !thing.modifiers.empty()) {
+  if (naming_.everyday() && thing.determiner == Determiner::New && !thing.modifiers.empty()) {
     const Complement place = thing.modifiers.back();
     off = taken_from(place);
     if (!off.empty()) {
@@ -314,7 +321,7 @@ std::optional<std::string> ClauseWriter::taken_first(const Clause& clause) {
       there = here->text;
     }
   }
-  const auto subject = naming_.phrase(thing, {.unique = there.has_value()});
+  const auto subject = naming_.phrase(thing, {.unique = there.has_value(), .sought = true});
   if (!subject || (subject->plural && !naming_.everyday())) return std::nullopt;
   Place place = place_of(clause);
   place.bare_room = naming_.everyday();
@@ -334,6 +341,8 @@ std::optional<std::string> ClauseWriter::taken_first(const Clause& clause) {
 bool ClauseWriter::described_by_place(const Clause& clause) const {
   const NounPhrase& subject = clause.subjects[0];
   if (clause.subjects.size() != 1 || clause.complements[0].object.empty()) return false;
+  if (naming_.everyday() && subject.determiner == Determiner::Every && !subject.except)
+    return !subject.modifiers.empty() && describes_by_place(subject.modifiers.back());
   if (subject.determiner != Determiner::New || naming_.was_named(subject.variable)) return false;
   if (naming_.names_by_use(subject.noun)) return true;
   return !subject.modifiers.empty() && !subject.modifiers.back().object.empty();
@@ -346,7 +355,8 @@ std::optional<std::string> ClauseWriter::filled(const std::string& pattern, cons
       (pattern.ends_with(" {s}") || pattern.ends_with(" {s} with {m}")) &&
       (is_done_in_place(clause.complements[0].predicate) || (naming_.everyday() && is_told_apart(clause)));
   const bool moved = pattern.find("{o}") != std::string::npos;
-  const auto subjects = subjects_of(clause, {.bare = bare, .moved = moved});
+  const bool sought = pattern.starts_with("grab ") || pattern.starts_with("bring ");
+  const auto subjects = subjects_of(clause, {.bare = bare, .sought = sought, .moved = moved});
   if (!subjects) return std::nullopt;
   // "Wash a mug and hold it": it is in the hand already.
   const bool held = naming_.everyday() && subjects->text == "it" && clause.complements[0].predicate == Predicate::Held;

@@ -82,6 +82,7 @@ Clause ClauseReader::moved() {
   words_.set_results(true);
   clause.subjects = words_.phrases(clause.any_subject);
   words_.set_results(false);
+  if (!clause.subjects.empty()) words_.set_moved(clause.subjects[0].noun);
   if (!words_.comes("either") && !words_.complement_comes()) words_.fail("expected a place, such as 'on a table'");
   placed(clause);
   for (const Complement& complement : clause.complements)

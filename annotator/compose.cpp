@@ -127,7 +127,10 @@ class Composer {
         break;
       case Requirement::Kind::Final:  // "once you've put a mug into the box, close it" has two
       case Requirement::Kind::Need:
-        for (Formula& one : said) parts.push_back(at_end(std::move(one)));
+        for (Formula& one : said) {
+          Formula last = at_end(std::move(one));  // "open the drawer …, and leave it open" says it twice
+          if (std::find(parts.begin(), parts.end(), last) == parts.end()) parts.push_back(std::move(last));
+        }
         break;
       case Requirement::Kind::Sometime:
         parts.push_back(wrapped(Op::Sometime, {said[0]}));
@@ -303,6 +306,25 @@ class Composer {
     return conjunction({std::move(f), std::move(one)});
   }
 
+  /// "Both mugs" says that there are two, "take the mug off the desk" that one is there.
+  void promise(const Resolved& subject, const Clause& clause, const std::vector<Resolved>& objects, const Box& box) {
+    if (subject.phrase->promised == 0 || !subject.local) return;
+    Formula there;
+    there.op = Op::Count;
+    there.number = static_cast<int>(subject.phrase->promised);
+    there.variable = subject.term.name;
+    there.domain = subject.domain;
+    there.children = {conjunction({})};
+    if (clause.removal || clause.put_down) {
+      Formula so = said_of(clause.complements[0], subject.term, &objects[0]);
+      for (const auto& [name, domain] : box.variables)
+        if (mentions(so, name)) so = exists(name, domain, std::move(so));
+      there.domain.where.push_back(std::move(so));
+      there.domain.where = {conjunction(std::move(there.domain.where))};
+    }
+    if (free_variables(there).empty()) facts_.push_back(std::move(there));
+  }
+
   /// "…, and put them down"
   Formula none_held(const Domain& noun) {
     Resolved none{variable(references_.fresh()), true, noun, nullptr};
@@ -324,7 +346,10 @@ class Composer {
       }
       const NounPhrase& phrase = complement.object[0];
       const std::size_t before = references_.named_count();
-      slots.push_back(references_.resolve(phrase, box));
+      // "Take the mug off the desk": off the one that it is on.
+      const bool any = clause.removal && clause.subjects[0].promised == 1 && phrase.determiner == Determiner::The &&
+                       phrase.modifiers.empty() && !references_.is_named(phrase.noun);
+      slots.push_back(any ? references_.any_of(phrase, box) : references_.resolve(phrase, box));
       const bool opened = references_.named_count() > before;
       const bool the = phrase.determiner == Determiner::The && phrase.modifiers.empty();
       if (opened && ((none && !the) || (every && phrase.determiner == Determiner::New && !phrase.by_function)))
@@ -362,12 +387,14 @@ class Composer {
           parts.push_back(std::move(also));
         }
       }
+      promise(subjects[i], clause, objects, box);
       if (clause.put_down) parts.push_back(none_held(clause.subjects[i].noun));
       for (std::size_t k = 0; k < objects.size() && clause.each_has_one; ++k) {
         const std::string one = references_.fresh();
         parts.push_back(exists(one, subjects[i].domain, said_of(clause.complements[k], variable(one), &objects[k])));
       }
     }
+    references_.set_topic(subjects.size() == 1 && !subjects[0].local ? subjects[0].term.name : "");
     if (clause.put_down && !subjects[0].local) references_.mention_several();  // "…, put it down, and close it"
     return clause.any_subject ? any_of_parts(std::move(parts)) : conjunction(std::move(parts));
   }

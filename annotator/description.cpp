@@ -54,23 +54,6 @@ std::string Naming::room_before(const Complement& modifier) const {
   return name == nullptr ? "" : name->singular;
 }
 
-/// "a heated egg", "a box with a pen in it": what is to be brought about with what is put somewhere.
-std::optional<Naming::Description> Naming::with_results(const NounPhrase& said, Description description) {
-  for (const Complement& done : said.done) {
-    if (done.object.empty()) {
-      const std::string made = made_so(done.predicate);
-      if (made.empty()) return std::nullopt;
-      description.before.insert(0, made + " ");
-      continue;
-    }
-    if (!description.is.empty() || !description.directly.empty()) return std::nullopt;
-    const auto object = phrase(done.object[0], {});
-    if (!object || object->text == "it") return std::nullopt;
-    description.directly = " with " + object->text + (done.predicate == Predicate::On ? " on it" : " in it");
-  }
-  return description;
-}
-
 std::optional<Naming::Description> Naming::describe(const NounPhrase& said, Place place) {
   Description description;
   std::vector<const Complement*> rest;
@@ -114,6 +97,7 @@ std::optional<Naming::Description> Naming::describe(const NounPhrase& said, Plac
       description.is += (description.is.empty() ? "" : " and ") + *text;
     }
   }
+  description.short_is = everyday() && !description.is.starts_with("not ") && rng_.chance(0.6);
   const bool lasting = std::any_of(rest.begin(), rest.end(), [](const Complement* one) {
     return one->predicate == Predicate::Colour || one->predicate == Predicate::Material ||
            one->predicate == Predicate::Size;
@@ -121,7 +105,7 @@ std::optional<Naming::Description> Naming::describe(const NounPhrase& said, Plac
   // "The mug that is in a sink is on a table" needs it.
   const bool now = !everyday() && (place.outcome || rng_.chance(0.3));
   if (!description.is.empty() && !lasting && now) description.is.insert(0, "now ");
-  return with_results(said, std::move(description));
+  return description;
 }
 
 }  // namespace unietp

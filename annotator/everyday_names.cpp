@@ -11,7 +11,7 @@ struct EverydayName {
 };
 
 /// In order of name.
-constexpr std::array<EverydayName, 126> kEverydayNames{{
+constexpr std::array<EverydayName, 127> kEverydayNames{{
     {"allen wrench", "Allen wrench", "Allen key"},
     {"aluminum foil", "aluminum foil", "aluminium foil"},
     {"baby changing station", "changing table", "changing table"},
@@ -104,6 +104,7 @@ constexpr std::array<EverydayName, 126> kEverydayNames{{
     {"rubber boot", "rubber boot", "wellington boot"},
     {"saucepot", "pot", "pot"},
     {"slice of eggplant", "slice of eggplant", "slice of aubergine"},
+    {"slice of lettuce", "piece of lettuce", "piece of lettuce"},
     {"soda cup", "soda cup", "fizzy drink cup"},
     {"sofa", "couch", "sofa"},
     {"soupspoon", "soup spoon", "soup spoon"},

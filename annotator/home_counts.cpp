@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 namespace unietp {
 namespace {
@@ -39,6 +40,14 @@ bool has_until(const Formula& f) {
   return f.op == Op::Until || std::any_of(f.children.begin(), f.children.end(), has_until);
 }
 
+/// The states of the variable that a formula asks for.
+void add_states(const Formula& f, const std::string& variable, std::vector<Formula>& into) {
+  const bool state = f.op == Op::Atom && f.terms.size() == 1 && f.terms[0].name == variable;
+  if (state && f.predicate != Predicate::Held) into.push_back(f);
+  if (f.op == Op::Not || f.op == Op::Or || f.op == Op::Imply || f.op == Op::Until) return;
+  for (const Formula& child : f.children) add_states(child, variable, into);
+}
+
 bool is_what_is_not(const Domain& domain) { return !domain.where.empty() && domain.where[0].op == Op::Not; }
 
 }  // namespace
@@ -52,23 +61,46 @@ std::vector<EntityIndex> HomeCounts::members(const Domain& domain, const std::st
   return members_of(domain, variable, *start_);
 }
 
-Formula as_in_home(const Formula& goal, const HomeCounts& home) {
+namespace {
+
+/// The things of which there is one, by the variables that stand for them where a part of a goal is.
+using Singles = std::vector<std::pair<std::string, Domain>>;
+
+/// A domain that speaks of them, closed: "the magazine that is on it" where there is one desk.
+Domain closed(Domain domain, const Singles& singles) {
+  for (Formula& where : domain.where)
+    for (auto single = singles.rbegin(); single != singles.rend(); ++single) {
+      const auto free = free_variables(where);
+      if (std::find(free.begin(), free.end(), single->first) != free.end())
+        where = exists(single->first, single->second, std::move(where));
+    }
+  return domain;
+}
+
+Formula named_in_home(const Formula& goal, const HomeCounts& home, const Singles& singles) {
   const bool binds = goal.op == Op::Exists || goal.op == Op::Forall || goal.op == Op::Count;
   if (binds) {
-    const auto there = home.members(goal.domain, goal.variable);
-    if (asks_for_all(goal, there.size())) return as_in_home(of_all(goal), home);
+    const Domain domain = closed(goal.domain, singles);
+    const auto there = home.members(domain, goal.variable);
+    if (asks_for_all(goal, there.size())) return named_in_home(of_all(goal), home, singles);
     if (there.size() == 1 && goal.op != Op::Count) {
-      Formula body = goal.children[0];
+      Singles more = singles;
+      more.emplace_back(goal.variable, domain);
+      Formula body = named_in_home(goal.children[0], home, more);
       // No symbol has a colon.
       name(body, goal.variable, {Term::Kind::Symbol, ":" + std::to_string(there[0].index())});
-      return as_in_home(body, home);
+      return body;
     }
   }
   Formula result = goal;
-  for (Formula& where : result.domain.where) where = as_in_home(where, home);
-  for (Formula& child : result.children) child = as_in_home(child, home);
+  for (Formula& where : result.domain.where) where = named_in_home(where, home, singles);
+  for (Formula& child : result.children) child = named_in_home(child, home, singles);
   return result;
 }
+
+}  // namespace
+
+Formula as_in_home(const Formula& goal, const HomeCounts& home) { return named_in_home(goal, home, {}); }
 
 Formula plainly_in_home(const Formula& goal, const HomeCounts& home) {
   if (goal.op == Op::Always || has_until(goal)) return goal;
@@ -81,6 +113,21 @@ Formula plainly_in_home(const Formula& goal, const HomeCounts& home) {
   }
   for (Formula& child : result.children) child = plainly_in_home(child, home);
   return result;
+}
+
+std::vector<std::string> meant_alone(const Formula& goal, const HomeCounts& home) {
+  std::vector<std::string> meant;
+  for (const Formula* f = &goal; f->op == Op::Exists; f = &f->children[0]) {
+    std::vector<Formula> asked;
+    add_states(f->children[0], f->variable, asked);
+    if (asked.empty() || home.members(f->domain, f->variable).size() < 2) continue;
+    Domain left = f->domain;
+    left.where.push_back(negation(conjunction(std::move(asked))));
+    left.where = {conjunction(std::move(left.where))};
+    if (home.members(left, f->variable).size() == 1) meant.push_back(f->variable);
+  }
+  std::sort(meant.begin(), meant.end());
+  return meant;
 }
 
 }  // namespace unietp

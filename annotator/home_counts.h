@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "logic/evaluate.h"
@@ -32,5 +33,9 @@ Formula as_in_home(const Formula& goal, const HomeCounts& home);
 /// The goal for a text about this home: what is asked of every one of one thing is asked of that thing, and what is
 /// asked of N of N things of all of them. Denials and what holds over time stay as they are. `goal` is `expanded`.
 Formula plainly_in_home(const Formula& goal, const HomeCounts& home);
+
+/// The variables of the goal's outermost `exists` that can mean one of several things only, as the others are already
+/// as they are wanted: "wash the mug" where one of three is dirty. Sorted. Empty for a home that is not known.
+std::vector<std::string> meant_alone(const Formula& goal, const HomeCounts& home);
 
 }  // namespace unietp

@@ -43,12 +43,16 @@ bool can_be_meant(const Reading& reading, const Knowledge& knowledge, const Trac
   asked.simulator = knowledge.simulator();
   asked.goal = reading.goal;
   if (relates_to_itself(reading.goal) || contradiction(asked, knowledge)) return false;
-  if (start == nullptr) return std::none_of(reading.facts.begin(), reading.facts.end(), says_there_is_none);
-  return all_there(reading.goal, *start) && std::all_of(reading.facts.begin(), reading.facts.end(),
-                                                        [&](const Formula& f) { return holds_in(f, *start, 0); });
+  return (start == nullptr || all_there(reading.goal, *start)) && facts_hold(reading, start);
 }
 
 }  // namespace
+
+bool facts_hold(const Reading& reading, const Trace* start) {
+  return std::all_of(reading.facts.begin(), reading.facts.end(), [&](const Formula& fact) {
+    return start == nullptr ? !says_there_is_none(fact) : holds_in(fact, *start, 0);
+  });
+}
 
 std::vector<Reading> readings_in_home(std::vector<Reading> readings, const Knowledge& knowledge, const Trace* start) {
   std::erase_if(readings, [&](const Reading& reading) { return !can_be_meant(reading, knowledge, start); });

@@ -13,4 +13,8 @@ namespace unietp {
 /// known of the home, and only the last is asked. Deterministic; order is kept.
 std::vector<Reading> readings_in_home(std::vector<Reading> readings, const Knowledge& knowledge, const Trace* start);
 
+/// Whether what a reading says is so at the start of the home. Of a home that is not known all is, but that there is
+/// none of something.
+bool facts_hold(const Reading& reading, const Trace* start);
+
 }  // namespace unietp

@@ -80,21 +80,31 @@ bool ClauseReader::put_down() {
              {"and put them down", "and put it down", "and put them somewhere else", "and put it somewhere else"}) >= 0;
 }
 
-/// "take the mug off the desk and put it in the sink": the mug that is on the desk. "Take the mug off the desk.": no
-/// more than that it is no longer there.
+/// "take the mug off the desk and put it in the sink": the mug that is on the desk. "Take the mug off the desk.": the
+/// only one there, and none is to be there.
 bool ClauseReader::taken_from(Clause& clause) {
   if (clause.subjects.size() != 1 || clause.subjects[0].determiner == Determiner::Every) return false;
   const int from = words_.accept_one({"off", "out of", "from"});
   if (from < 0) return false;
-  Complement place{from == 1 ? P::Inside : P::On, false, "", {words_.place()}};
+  Complement place{from == 1 ? P::Inside : P::On, false, "", {}};
+  if (auto floor = from == 0 ? words_.room_floor() : std::nullopt) {
+    place.predicate = P::OnFloor;
+    place.object = {*std::move(floor)};
+  } else {
+    place.object = {words_.place()};
+  }
   if (from == 2) {
     if (!is_room(place.object[0].noun)) words_.fail("expected a room before this");
     place.predicate = P::InRoom;
   }
   clause.put_down = put_down();
   if (clause.put_down || words_.accept_one({"and put it", "and place it", "and put them"}) < 0) {
-    if (from != 2) clause.removal = place.negated = true;
     if (from == 2) words_.fail("expected 'and put it'");
+    clause.removal = true;
+    NounPhrase& taken = clause.subjects[0];
+    const bool only = taken.determiner == Determiner::The && taken.modifiers.empty();
+    place.negated = !only;
+    if (only) taken.determiner = Determiner::No, taken.promised = 1;
     clause.complements.push_back(std::move(place));
     return true;
   }
@@ -119,15 +129,19 @@ Clause ClauseReader::none_left(bool any) {
   return clause;
 }
 
-/// "leave exactly one mug on the desk and put the others somewhere else", "leave no mug on any desk"
+/// "leave exactly one mug on the desk and put the others somewhere else", "leave no mug on any desk", "leave it open"
 Clause ClauseReader::remaining() {
   Clause clause;
+  const bool open = words_.comes("it open");
   clause.subjects.push_back(words_.phrase());
   words_.complements(clause);
+  if (open) return clause;
   const Determiner determiner = clause.subjects[0].determiner;
   if (determiner == Determiner::No) return clause;
   if (determiner != Determiner::Exactly) words_.fail("expected 'exactly …' or 'no …' before this");
-  words_.expect("and put the others somewhere else");
+  const bool other = words_.accept("and put the other one somewhere else");
+  if (other) clause.subjects[0].promised = 2;
+  if (!other) words_.expect("and put the others somewhere else");
   clause.put_down = true;
   return clause;
 }

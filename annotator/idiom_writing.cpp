@@ -28,16 +28,22 @@ NounPhrase as(NounPhrase phrase, Determiner determiner) {
   return phrase;
 }
 
-/// "off the table", "out of it", "off the floor of the kitchen": from every one of several.
-Text from(const Complement& place, bool every, Naming& naming) {
+/// "off the table", "out of it", "off the floor of the kitchen": from every one of several. One thing is taken off the
+/// one that it is on.
+Text from(const Complement& place, std::size_t there, Naming& naming) {
   const NounPhrase& object = place.object[0];
   const std::string off = place.predicate == P::Inside ? "out of " : "off ";
   const bool all = object.determiner == Determiner::Any && !naming.is_alone(object.noun);
+  if (all && object.modifiers.empty() && there == 1) {
+    const auto one = naming.singular(object.noun);
+    naming.mention_again("");
+    return one ? Text(off + "the " + *one) : std::nullopt;
+  }
   if (all && object.modifiers.empty()) {
     const auto many = naming.plural(object);
     return many && naming.is_countable(object.noun) ? Text(off + "the " + *many) : std::nullopt;
   }
-  auto one = naming.phrase(object, {.beside_every = every});
+  auto one = naming.phrase(object, {.beside_every = there != 1});
   if (!one) return std::nullopt;
   if (const auto many = one->text.starts_with("the same ") ? naming.plural(object) : std::nullopt)
     one->text = "one of the " + *many;
@@ -45,32 +51,30 @@ Text from(const Complement& place, bool every, Naming& naming) {
 }
 
 /// "take all the mugs off the table and put them down"
-Text taken_away(const Clause& clause, Naming& naming, Rng& rng) {
+Text taken_away(const Clause& clause, Naming& naming) {
   const Complement& place = clause.complements[0];
   if (naming.keeps_no()) {
     const auto any = naming.plural(clause.subjects[0]);
     const Text where = any ? naming.complement(place, {.beside_every = true, .beside_none = true}) : std::nullopt;
     return where && !clause.put_down ? Text("don't leave any " + *any + " " + *where) : std::nullopt;
   }
-  const auto all = naming.phrase(as(clause.subjects[0], Determiner::Every), {.together = true});
-  if (all && clause.subjects[0].there == 1 && place.object[0].determiner == Determiner::Any && !clause.put_down &&
-      !naming.is_alone(place.object[0].noun)) {
-    const Text anywhere = naming.complement(place, {});
-    return anywhere ? Text("don't leave " + all->text + " " + *anywhere) : std::nullopt;
-  }
-  const Text where = all ? from(place, clause.subjects[0].there != 1, naming) : std::nullopt;
+  NounPhrase there = as(clause.subjects[0], Determiner::Every);
+  there.there = clause.there_now;
+  there.two = there.there == 2;
+  const auto all = naming.phrase(there, {.together = true});
+  const Text where = all ? from(place, there.there, naming) : std::nullopt;
   if (!where) return std::nullopt;
   const std::string them = all->plural ? "them" : "it";
-  const std::string down = rng.chance(0.5) ? " down" : " somewhere else";
   if (clause.put_down && !all->plural) naming.mention_again("");  // "…, put it down, and close the fridge again"
-  return "take " + all->text + " " + *where + (clause.put_down ? " and put " + them + down : "");
+  return "take " + all->text + " " + *where + (clause.put_down ? " and put " + them + " somewhere else" : "");
 }
 
 Text leaving_one(const Clause& clause, Naming& naming) {
   const auto one = naming.phrase(clause.subjects[0], {});
   const Text where = one ? naming.complement(clause.complements[0], {}) : std::nullopt;
   if (!where) return std::nullopt;
-  return "leave " + one->text + " " + *where + " and put the others somewhere else";
+  return "leave " + one->text + " " + *where + " and put the " + (clause.there_now == 2 ? "other one" : "others") +
+         " somewhere else";
 }
 
 Text shared(const Clause& clause, Naming& naming) {
@@ -107,7 +111,7 @@ bool is_idiom(const Clause& clause) {
   return says_none_is_somewhere(clause);
 }
 
-std::optional<std::string> idiom(const Clause& clause, Naming& naming, Rng& rng) {
+std::optional<std::string> idiom(const Clause& clause, Naming& naming) {
   if (clause.poured) {
     const auto into = naming.phrase(clause.subjects[0], {});
     return into ? Text("pour it into " + into->text) : std::nullopt;
@@ -115,15 +119,15 @@ std::optional<std::string> idiom(const Clause& clause, Naming& naming, Rng& rng)
   if (clause.each_has_one) return shared(clause, naming);
   if (clause.kind == Clause::Kind::Compare) return outnumbering(clause, naming);
   if (clause.subjects[0].determiner == Determiner::Exactly) return leaving_one(clause, naming);
-  return taken_away(clause, naming, rng);
+  return taken_away(clause, naming);
 }
 
-std::optional<std::string> left_alone(const Clause& clause, Naming& naming, Rng& rng) {
+std::optional<std::string> left_alone(const Clause& clause, Naming& naming) {
   if (!is_single(clause) || naming.keeps_no()) return std::nullopt;
   const NounPhrase& subject = clause.subjects[0];
   const Complement& said = clause.complements[0];
   if (subject.determiner == Determiner::Every && said.predicate == P::On && naming.distracts()) {
-    const auto all = naming.phrase(subject, {});
+    const auto all = naming.phrase(subject, {.together = true});
     Complement place = said;
     const bool one = subject.there == 1 && place.object[0].determiner == Determiner::Any;
     if (one) place.object[0].determiner = Determiner::New;
@@ -138,9 +142,7 @@ std::optional<std::string> left_alone(const Clause& clause, Naming& naming, Rng&
   if (subject.determiner != Determiner::Every) return std::nullopt;
   if (subject.modifiers.size() == 1 && subject.modifiers[0].predicate == P::Closed && !subject.modifiers[0].negated &&
       naming.was_named_kind(subject.noun))
-    return subject.there == 1 ? rng.chance(0.5) ? "do not open the other one" : "leave the other one closed"
-           : rng.chance(0.5)  ? "do not open any of the others"
-                              : "leave the others closed";
+    return subject.there == 1 ? "leave the other one closed" : "leave the others closed";
   const auto any = naming.phrase(as(subject, Determiner::Any), {});
   return any ? Text("do not open " + any->text) : std::nullopt;
 }

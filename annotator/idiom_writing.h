@@ -16,13 +16,13 @@ namespace unietp {
 /// "divide all the mugs between the desk and the shelf, with at least one on each", "put more mugs than plates in the
 /// sink", "put the same number of mugs on the desk and on the shelf, with at least one on each", "leave no mug on any
 /// table", "pour it into the vase".
-std::optional<std::string> idiom(const Clause& clause, Naming& naming, Rng& rng);
+std::optional<std::string> idiom(const Clause& clause, Naming& naming);
 /// Whether `idiom` is about such a clause.
 bool is_idiom(const Clause& clause);
 /// Whether a comparison of two numbers is about one place: more mugs than plates in the sink.
 bool same_place(const Clause& clause);
 
 /// What is so the whole time: "leave all the plates on the table", "do not open the fridge".
-std::optional<std::string> left_alone(const Clause& clause, Naming& naming, Rng& rng);
+std::optional<std::string> left_alone(const Clause& clause, Naming& naming);
 
 }  // namespace unietp

@@ -10,12 +10,8 @@ namespace unietp {
 /// the desk and the shelf, with at least one on each". A clause that became part of another one is erased.
 void join_idioms(std::vector<Clause>& clauses);
 
-/// What is to be done to what is put somewhere becomes what it is called: "put a heated egg on a plate", "put a box
-/// with a pen in it on a desk". A clause that became part of another one is erased.
-void join_results(std::vector<Clause>& clauses);
-
 /// What is done to a thing comes before it is put somewhere, so that "it" is what was named last: "wash the pan and put
-/// it in the sink".
+/// it in the sink". Only what is turned on is put in its place first.
 void order_as_done(std::vector<Clause>& clauses);
 
 }  // namespace unietp

@@ -60,7 +60,9 @@ class TextChecker {
         counts_(home == nullptr ? HomeCounts() : HomeCounts(start_)),
         goal_(expanded(specification.goal)),
         plain_goal_(expanded(plainly_in_home(goal_, counts_))),
-        goal_here_(expanded(as_in_home(goal_, counts_))) {}
+        goal_here_(expanded(as_in_home(goal_, counts_))),
+        meant_(meant_alone(plain_goal_, counts_)),
+        meant_by_author_(meant_alone(specification.goal, counts_)) {}
   TextChecker(const TextChecker&) = delete;
 
   const Formula& goal() const { return goal_; }
@@ -70,6 +72,9 @@ class TextChecker {
   /// Of which the home has one.
   const std::vector<std::string>& alone() const { return alone_; }
   const std::vector<std::string>& there() const { return there_; }
+  /// Variables of the plain goal, and of the specification's, that can mean one thing only (home_counts.h).
+  const std::vector<std::string>& meant() const { return meant_; }
+  const std::vector<std::string>& meant_by_author() const { return meant_by_author_; }
   const Trace& start() const { return start_; }
 
   bool reads_back(const std::string& text) const {
@@ -108,8 +113,9 @@ class TextChecker {
  private:
   Result<std::vector<Reading>> readings(const std::string& text) const {
     auto read = readings_of(text, lexicon_);
-    if (!read || (read->size() == 1 && read->front().facts.empty())) return read;
-    return readings_in_home(std::move(*read), knowledge_, home_ == nullptr ? nullptr : &start());
+    const Trace* here = home_ == nullptr ? nullptr : &start();
+    if (!read || (read->size() == 1 && facts_hold(read->front(), here))) return read;
+    return readings_in_home(std::move(*read), knowledge_, here);
   }
 
   /// In the style `condition` without the conditions that the start meets.
@@ -136,6 +142,7 @@ class TextChecker {
   Trace start_;  // empty when the home is not known
   HomeCounts counts_;
   Formula goal_, plain_goal_, goal_here_;
+  std::vector<std::string> meant_, meant_by_author_;
 };
 
 /// Adds to a text what a style has besides what is asked. False when there is nothing to add.
@@ -152,7 +159,7 @@ bool add_style_frame(std::string& text, const Specification& specification, Styl
     auto own = categories_of(specification.goal);
     for (const Formula& start : specification.init)
       for (auto& category : categories_of(start)) own.push_back(std::move(category));
-    sentences = home_sentences(judge.start(), specification.goal, own, knowledge, lexicon, rng.fork("home", 0));
+    sentences = home_sentences(judge.start(), specification.goal, own, text, knowledge, lexicon, rng.fork("home", 0));
     if (sentences.empty()) return false;
     if (rng.chance(0.5)) {
       text.insert(0, sentences[0] + " ");
@@ -176,7 +183,7 @@ std::optional<std::string> request_for(const Formula& goal, const NounTable& lex
 std::optional<std::string> worded(const Plan& plan, const NounTable& lexicon, Style style, Phrasings set,
                                   const TextChecker& judge, double pronouns, const Rng& rng) {
   constexpr std::uint64_t kWordings = 4;
-  const Wording wording{style, set == Phrasings::Everyday, judge.alone(), judge.there(), pronouns};
+  const Wording wording{style, set == Phrasings::Everyday, judge.alone(), judge.there(), judge.meant(), pronouns};
   for (std::uint64_t i = 0; i < kWordings; ++i) {
     auto text = realise(plan, lexicon, wording, rng.fork("words", i));
     if (!text || set == Phrasings::Everyday || set == Phrasings::All || phrasings_of(*text, lexicon) == set)
@@ -248,8 +255,8 @@ class Writer {
   }
 
  private:
-  /// Nobody chooses who has just said what is there.
-  bool chooses(int draw, Style style) const { return draw >= kPlainDraws && style != Style::Anaphora; }
+  /// Nobody says "choose a mug" who can say it otherwise.
+  static bool chooses(int draw, Style style) { return draw >= kPlainDraws && style == Style::Direct; }
   bool is_everyday() const { return options_.phrasings == Phrasings::Everyday; }
   bool framed(std::string& text, Style style, Rng& rng) const {
     return add_style_frame(text, specification_, style, judge_, knowledge_, nouns_, rng);
@@ -281,7 +288,9 @@ class Writer {
     for (const std::size_t i : order) {
       for (std::uint64_t draw = 0; draw < kAuthoredDraws; ++draw) {
         Rng own = rng.fork("phrasing", i * kAuthoredDraws + draw);
-        auto text = authored_text(phrasings[i], specification_, nouns_, {style, true, judge_.alone(), judge_.there()},
+        const double pronouns = draw == 0 ? 1 : 0;
+        auto text = authored_text(phrasings[i], specification_, nouns_,
+                                  {style, true, judge_.alone(), judge_.there(), judge_.meant_by_author(), pronouns},
                                   judge_.counts(), own);
         if (!text || !framed(*text, style, own)) break;
         if (style == Style::Ellipsis && !with_contrast(*text, own)) break;

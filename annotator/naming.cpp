@@ -22,12 +22,6 @@ bool Naming::was_named(const std::string& variable) const {
   return std::any_of(named_.begin(), named_.end(), [&](const Named& n) { return n.variable == variable; });
 }
 
-/// Whether its name is to say what is to be done with it, which only the first can.
-bool Naming::is_made(const NounPhrase& said) {
-  return std::any_of(said.done.begin(), said.done.end(),
-                     [](const Complement& done) { return done.predicate != Predicate::SliceOf; });
-}
-
 bool Naming::was_named_kind(const Domain& noun) const {
   return std::any_of(named_.begin(), named_.end(), [&](const Named& other) { return other.noun == noun; });
 }
@@ -59,10 +53,12 @@ std::optional<std::string> Naming::name_of(const Domain::Member& member, bool pl
   const NounTable::Name& name = found->second;
   countable = name.countable || member.slice;
   if (member.slice) {
-    for (const char* const several : {"slice of ", "bunch of "})  // nobody speaks of a slice of these
+    // Nobody speaks of a slice of these.
+    for (const char* const several : {"slice of ", "bunch of ", "head of ", "piece of "})
       if (name.singular.starts_with(several)) return std::nullopt;
-    const std::string fresh = may_mean_what_is_there("slice of " + name.singular) ? "freshly cut " : "";
-    return fresh + (plural ? "slices of " : "slice of ") + name.singular;
+    const std::string cut = name.singular == "lettuce" ? "piece" : "slice";
+    const std::string fresh = may_mean_what_is_there(cut + " of " + name.singular) ? "freshly cut " : "";
+    return fresh + cut + (plural ? "s of " : " of ") + name.singular;
   }
   return plural ? name.plural : name.singular;
 }
@@ -101,11 +97,17 @@ std::vector<std::string> Naming::uses(const Domain& noun) const {
   if (style_ == Style::Description) return nameless(noun, AliasKind::Description);
   if (style_ == Style::Function) return nameless(noun, AliasKind::Function);
   if (noun.members.size() == 1) return {};
-  for (const AliasKind use : {AliasKind::Function, AliasKind::Hypernym, AliasKind::Description})
+  for (const AliasKind use : {AliasKind::Hypernym, AliasKind::Function, AliasKind::Description})
     if (auto found = lexicon_.phrases(noun, use); !found.empty()) return found;
   constexpr std::size_t kMostListed = 4;  // "an apple, pear or plum"; more have no words but an occasion
   if (noun.members.size() <= kMostListed || lexicon_.phrases(noun, AliasKind::Occasion).empty()) return {};
   return {"what I need"};
+}
+
+bool Naming::names_by_use(const Domain& noun) const {
+  const auto named = uses(noun);
+  return std::any_of(named.begin(), named.end(),
+                     [&](const std::string& use) { return !everyday() || use.starts_with("something "); });
 }
 
 std::optional<std::string> Naming::singular(const Domain& domain) {
@@ -195,8 +197,7 @@ std::optional<Words> Naming::phrase(const NounPhrase& said, Place place) {
   if (said.determiner == Determiner::Agent) return Words{"you", true};
   const auto bare = noun(said.noun, place.exact);
   if (!bare) return std::nullopt;
-  if (!said.variable.empty() && was_named(said.variable))
-    return is_made(said) ? std::nullopt : again(said, *bare, place);
+  if (!said.variable.empty() && was_named(said.variable)) return again(said, *bare, place);
   if (!said.variable.empty() && (place.inside_description || place.beside_none)) {
     if (!everyday() || !is_alone(said.noun) || !said.modifiers.empty()) return std::nullopt;
     mentioned_.push_back(said.variable);
@@ -209,6 +210,8 @@ std::optional<Words> Naming::phrase(const NounPhrase& said, Place place) {
     named_.push_back({said.variable, said.noun, false, ""});
     return Words{"a slice of it"};
   }
+  // Nobody washes "something to drink from".
+  if (everyday() && bare->function && bare->singular.starts_with("something ") && !place.sought) return std::nullopt;
   if (bare->function && (said.determiner != Determiner::New || !said.modifiers.empty())) return std::nullopt;
 
   const auto description = describe(said, place);
@@ -245,8 +248,9 @@ std::optional<Words> Naming::bound(const NounPhrase& said, const Noun& noun, con
 /// What was named last, and, of what is put somewhere, what was spoken of: "put the mug in the box and put it …" could
 /// be either.
 bool Naming::is_what_it_means(const NounPhrase& said, Place place) const {
-  if (place.exact || place.inside_description || clause_ == 0 || mentioned_[clause_ - 1] != said.variable) return false;
-  return !place.moved || topic_ == said.variable || named_.size() == 1;
+  if (place.exact || place.inside_description || clause_ == 0) return false;
+  if (everyday() && topic_ == said.variable) return true;  // "put the lamp on the desk and turn it on"
+  return mentioned_[clause_ - 1] == said.variable && (!place.moved || topic_ == said.variable || named_.size() == 1);
 }
 
 std::optional<Words> Naming::again(const NounPhrase& said, const Noun& noun, Place place) {
@@ -261,7 +265,9 @@ std::optional<Words> Naming::again(const NounPhrase& said, const Noun& noun, Pla
   const bool clear = is_what_it_means(said, place);
   mentioned_.push_back(said.variable);
   const double usual = everyday() ? wording_.pronouns : named_.size() > 1 ? 0 : style_ == Style::Anaphora ? 1 : 0.7;
-  if (clear && rng_.chance(usual)) return is_plural(noun) ? Words{"them", true} : Words{"it"};
+  const std::string pair = everyday() ? pair_name(said.noun, noun) : "";
+  const bool several = is_plural(noun) || !pair.empty();
+  if (clear && rng_.chance(usual)) return several ? Words{"them", true} : Words{"it"};
   // "That object" is clear only where no other was named: "that thing to drink from".
   const std::string word = !vague ? noun.singular : named_.size() == 1 ? "object" : named_again(use);
   if (word.empty()) return std::nullopt;
@@ -273,7 +279,7 @@ std::optional<Words> Naming::again(const NounPhrase& said, const Noun& noun, Pla
     return Words{"the " + std::string(kOrdinals[position]) + (noun.countable ? " " : " piece of ") + word};
   }
   if (place.exact) return Words{(place.inside_description ? "that " : "the ") + word};
-  if (everyday() && !vague) return Words{"the " + word, is_plural(noun)};
+  if (everyday() && !vague) return Words{"the " + (pair.empty() ? word : pair), several};
   const std::string article =
       vague || noun.countable ? pick({"that", "that", "the same", "the"}) : pick({"that", "the same"});
   return Words{article + " " + word};
@@ -303,6 +309,11 @@ std::optional<Words> Naming::first(const NounPhrase& said, const Noun& noun, Pla
   if (again_one) return Words{"the " + before + "one" + tail};
   if (description.of_two) return Words{"the " + before + "of the two " + noun.plural + tail};
   if (everyday() && !another) return first_everyday(said, noun, place, description);
+  if (another && everyday() && place.moved && said.modifiers.empty() && noun.countable) {
+    const auto last =
+        std::find_if(named_.begin(), named_.end(), [&](const Named& one) { return one.variable == topic_; });
+    if (last != named_.end() && last->noun == said.noun) return Words{"another"};
+  }
   if (another) {
     const std::string word = before + (noun.countable ? noun.singular : "piece of " + noun.singular);
     return Words{(everyday() || rng_.chance(0.7) ? "another " : "a different ") + word + tail};
@@ -338,7 +349,9 @@ std::optional<Words> Naming::counted(const NounPhrase& said, const Noun& noun, P
   const bool the = everyday() && said.there == 1;
   if (the && (said.determiner == Determiner::Every || said.determiner == Determiner::Any)) {
     mentioned_.emplace_back();
-    return Words{"the " + before + noun.singular + description.tail(is_plural(noun)), is_plural(noun)};
+    const std::string pair = pair_name(said.noun, noun);
+    const bool several = is_plural(noun) || !pair.empty();
+    return Words{"the " + before + (pair.empty() ? noun.singular : pair) + description.tail(several), several};
   }
   switch (said.determiner) {
     case Determiner::Any:

@@ -25,6 +25,7 @@ struct Wording {
   bool everyday = true;                     // as people ask for things; false: a wide choice of frames and statements
   std::span<const std::string> alone = {};  // categories and room types of which the home has one, sorted: "the sink"
   std::span<const std::string> there = {};  // those of which it has any, sorted; empty where the home is not known
+  std::span<const std::string> meant = {};  // variables of which one thing only is left to be meant, sorted
   double pronouns = 1;                      // share of things that are "it" where that is clear
 };
 
@@ -33,15 +34,17 @@ struct Place {
   bool beside_every = false;  // "put every mug on …": a bare "a table" would have two readings
   bool beside_none = false;   // "no mug is on …": nothing new can be named
   bool inside_description = false;
-  bool unique = false;     // the home has one only: "nearest to the sink"
-  bool denied = false;     // of a description: what it does not fit, "that is not in any sink"
-  bool wanted = false;     // some such thing, not one that is there: "someone wants a hot potato"
-  bool bare = false;       // no place follows, so a place can describe the noun: "open the drawer in the kitchen"
-  bool bare_room = false;  // only a room can: "on the table in the kitchen"
-  bool together = false;   // "all the mugs" rather than "every mug"
-  bool chosen = false;     // "choose a kitchen": there may be several
-  bool outcome = false;    // of what will be so at the end: what describes it is so now
-  bool moved = false;      // what is put somewhere: "it" is what the last command was about
+  bool unique = false;      // the home has one only: "nearest to the sink"
+  bool denied = false;      // of a description: what it does not fit, "that is not in any sink"
+  bool wanted = false;      // some such thing, not one that is there: "someone wants a hot potato"
+  bool bare = false;        // no place follows, so a place can describe the noun: "open the drawer in the kitchen"
+  bool bare_room = false;   // only a room can: "on the table in the kitchen"
+  bool together = false;    // "all the mugs" rather than "every mug"
+  bool chosen = false;      // "choose a kitchen": there may be several
+  bool outcome = false;     // of what will be so at the end: what describes it is so now
+  bool beside_the = false;  // in a list with what there is one of
+  bool sought = false;      // of what is fetched: "something to drink from"
+  bool moved = false;       // what is put somewhere: "it" is what the last command was about
   bool exact = false;  // within a proposition: what is bound has one name, "some mug … the mug", and is never "it"
 };
 
@@ -74,13 +77,17 @@ class Naming {
   bool is_countable(const Domain& noun) const;
   /// Whether the home has one such object, so that "the fridge" means it.
   bool is_alone(const Domain& noun) const;
+  /// The same, and of several where one only is not yet as it is wanted: "the mug" to be washed.
+  bool is_meant_alone(const NounPhrase& phrase) const;
+  /// Whether it will be named by "the", or is named already.
+  bool will_be_the(const NounPhrase& phrase) const;
   /// Whether people carry it about.
   bool is_carried(const Domain& noun) const;
   /// "clean", "on that table", "filled with water".
   std::optional<std::string> complement(const Complement& complement, Place place);
   bool was_named(const std::string& variable) const;
-  /// Whether such an object is first named by its function.
-  bool names_by_use(const Domain& noun) const { return !uses(noun).empty(); }
+  /// Whether such an object may be named by its use alone, "something to drink from".
+  bool names_by_use(const Domain& noun) const;
   /// Whether it is sprinkled on food: salt, and what else the home's base has a shaker of.
   bool comes_from_a_shaker(const std::string& substance) const;
   /// The bare noun of one thing.
@@ -102,7 +109,6 @@ class Naming {
     bool vague = false;  // "that object" may mean it
     std::string use;     // "something to drink from", or ""
   };
-  static bool is_made(const NounPhrase& said);
   static bool is_plural(const Noun& noun);  // "the crackers", of which there is no one
   std::vector<std::string> nameless(const Domain& noun, AliasKind use) const;
   std::vector<std::string> uses(const Domain& noun) const;
@@ -113,22 +119,25 @@ class Naming {
   bool is_what_it_means(const NounPhrase& phrase, Place place) const;
   /// What stands around a noun: "dirty", "that is on a desk", "nearest to the sink".
   struct Description {
-    std::string before;    // an adjective with a blank, or ""
-    std::string is;        // what follows "that is", or ""
-    std::string directly;  // what follows directly, with a leading blank, or ""
-    bool of_two = false;   // "the larger of the two mugs"
+    std::string before;     // an adjective with a blank, or ""
+    std::string is;         // what follows "that is", or ""
+    std::string directly;   // what follows directly, with a leading blank, or ""
+    bool of_two = false;    // "the larger of the two mugs"
+    bool short_is = false;  // "that's on the desk"
     std::string tail(bool plural) const {
-      return directly + (is.empty() ? "" : (plural ? " that are " : " that is ") + is);
+      return directly + (is.empty() ? "" : (plural ? " that are " : short_is ? " that's " : " that is ") + is);
     }
   };
   std::optional<Description> describe(const NounPhrase& phrase, Place place);
-  std::optional<Description> with_results(const NounPhrase& phrase, Description description);
   /// "some dirty mug", "every mug": what a proposition goes on to speak of.
   std::optional<Words> bound(const NounPhrase& phrase, const Noun& noun, const Description& description);
   std::string adjective(const Complement& modifier, bool two);
   std::string room_before(const Complement& modifier) const;
   std::optional<Words> first(const NounPhrase& phrase, const Noun& noun, Place place, const Description& description);
   std::optional<Words> all_but(const NounPhrase& phrase, const Noun& noun);
+  /// "pants", where "the pair of pants" is meant; "" for others.
+  std::string pair_name(const Domain& domain, const Noun& noun) const;
+  bool says_one_of(const NounPhrase& phrase, const Noun& noun, Place place, bool described);
   /// The same as people say it, where they have other words.
   Words first_everyday(const NounPhrase& phrase, const Noun& noun, Place place, const Description& description);
   std::optional<Words> counted(const NounPhrase& phrase, const Noun& noun, Place place, const Description& description);

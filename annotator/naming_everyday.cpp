@@ -3,6 +3,11 @@
 #include "annotator/naming.h"
 
 namespace unietp {
+namespace {
+
+constexpr double kOneOf = 0.3;  // of the places of which there are several
+
+}  // namespace
 
 bool Naming::is_alone(const Domain& noun) const {
   if (noun.kind != Domain::Kind::Categories || noun.members.size() != 1 || noun.members[0].slice) return false;
@@ -39,27 +44,52 @@ int Naming::mentions_of(const Domain& noun) const {
   return count;
 }
 
+bool Naming::is_meant_alone(const NounPhrase& said) const {
+  if (is_alone(said.noun)) return true;
+  const bool other = std::any_of(named_.begin(), named_.end(), [&](const Named& one) {
+    return one.noun == said.noun && one.variable != said.variable;
+  });
+  return !other && std::binary_search(wording_.meant.begin(), wording_.meant.end(), said.variable);
+}
+
+bool Naming::will_be_the(const NounPhrase& said) const {
+  return said.determiner == Determiner::New &&
+         (was_named(said.variable) || !said.modifiers.empty() || is_meant_alone(said));
+}
+
+/// "One of the bedrooms", where there are several: of rooms always, of what stands in them at times, and beside what
+/// there is one of, "the globe and one of the plant pots".
+bool Naming::says_one_of(const NounPhrase& said, const Noun& noun, Place place, bool described) {
+  if (said.there < 2 || described || !noun.countable || noun.function || place.inside_description || place.wanted ||
+      place.chosen)
+    return false;
+  const bool room = lexicon_.is_room_type(said.noun.members[0].category);
+  return room || place.beside_the || (!is_carried(said.noun) && rng_.chance(kOneOf));
+}
+
+std::string Naming::pair_name(const Domain& domain, const Noun& noun) const {
+  const bool pair = domain.members.size() == 1 && !domain.members[0].slice && noun.singular.starts_with("pair of ");
+  return pair ? lexicon_.without_pair(domain.members[0].category) : "";
+}
+
 Words Naming::first_everyday(const NounPhrase& said, const Noun& noun, Place place, const Description& description) {
   const std::string tail = description.tail(is_plural(noun));
   const bool described = !said.modifiers.empty() && !place.wanted;
-  const auto others = std::count_if(named_.begin(), named_.end(), [&](const Named& other) {
-    return other.noun == said.noun && other.variable != said.variable;
-  });
-  // Of what is carried about, "a mug" where there is one is what people say as often.
-  const bool carried =
-      !place.inside_description && !described && !place.beside_every && is_carried(said.noun) && rng_.chance(0.5);
-  // "The heated egg" would be hot already.
-  const bool alone = is_alone(said.noun) && !carried && !place.wanted && !place.chosen && others == 0 && !is_made(said);
+  // Where something is named so already it is the same one.
+  const bool alone = is_meant_alone(said) && !place.wanted && !place.chosen;
   // What describes something is told apart by it: "the mug on the desk", also where there is another desk.
   const bool describes = place.inside_description && !place.denied && said.modifiers.empty() &&
                          said.noun.kind == Domain::Kind::Categories &&
                          !lexicon_.is_room_type(said.noun.members[0].category) && mentions_of(said.noun) == 1;
   // Within a description "the desk" may be read otherwise than it is meant.
-  const bool the = (alone || describes) && (!place.inside_description || rng_.chance(0.95));
-  if (the || place.unique || (described && !place.inside_description))
-    return {"the " + description.before + noun.singular + tail, is_plural(noun)};
+  const bool the = (alone || describes) && (!place.inside_description || wording_.pronouns == 1 || rng_.chance(0.5));
+  const bool definite = the || place.unique || (described && !place.inside_description);
+  if (const std::string pair = definite ? pair_name(said.noun, noun) : ""; !pair.empty())
+    return {"the " + description.before + pair + description.tail(true), true};
+  if (definite) return {"the " + description.before + noun.singular + tail, is_plural(noun)};
   const std::string one = description.before + (noun.countable ? noun.singular : "piece of " + noun.singular) + tail;
   if (place.beside_every) return {"the same " + one};
+  if (says_one_of(said, noun, place, described)) return {"one of the " + noun.plural};
   if (noun.countable) return {with_article(one)};
   return {"some " + description.before + noun.singular + tail, is_plural(noun)};
 }

@@ -27,6 +27,7 @@ std::string spaced(const std::string& name) {
   return lower(text);
 }
 
+constexpr std::string_view kPair = "pair of ", kHalf = "half ";
 constexpr double kSaid = 0.8;  // the confidence of names that people say; a dictionary's are only read
 /// Whether a name is of one thing, as "glasses" is not.
 bool is_one(std::string_view name) {
@@ -110,6 +111,12 @@ NounTable::NounTable(const Knowledge& knowledge, English english) {
     }
     const Domain noun = of_category(category.name);
     add(made.nouns, category.display, noun, category.countable, false, !category.countable, 0);
+    const std::string& said = made.names[category.name].singular;
+    if (said.starts_with(kPair)) add(made.nouns, said.substr(kPair.size()), noun, false, false, true, 2);
+    if (said.starts_with(kHalf)) {
+      made.names[category.name].plural = said.substr(kHalf.size()) + " halves";
+      add(made.nouns, made.names[category.name].plural, noun, false, true, false, 0);
+    }
     if (category.countable) add(made.nouns, category.plural, noun, false, true, false, 0);
     rooms.insert(category.rooms.begin(), category.rooms.end());
     colours.insert(category.colours.begin(), category.colours.end());
@@ -200,6 +207,16 @@ const NounTable::Name* NounTable::display(const std::string& category) const {
   return found == fixed_->names.end() ? nullptr : &found->second;
 }
 
+std::string NounTable::without_pair(const std::string& category) const {
+  const Name* name = display(category);
+  if (name == nullptr || !name->singular.starts_with(kPair)) return "";
+  std::string bare = name->singular.substr(kPair.size());
+  const auto words = tokens_of(bare);
+  const Reading read = longest(fixed_->nouns, words, 0);
+  const bool clear = read.length == words.size() && read.nouns.size() == 1 && read.nouns[0] == of_category(category);
+  return clear ? bare : "";
+}
+
 std::vector<NounTable::Name> NounTable::synonyms(const std::string& category) const {
   const auto found = fixed_->synonyms.find(category);
   if (found == fixed_->synonyms.end()) return {};
@@ -286,8 +303,9 @@ NounTable::Reading NounTable::noun_at(const std::vector<Token>& tokens, std::siz
   if (quality && noun_at(tokens, at + 1).length > 0) return {};
   const std::size_t fresh = word(0) == "freshly" && word(1) == "cut" ? 2 : 0;
   const std::string_view head = word(fresh);
-  const bool slice = head == "slice" || head == "slices";
-  if ((!slice && (fresh > 0 || (head != "piece" && head != "pieces"))) || word(fresh + 1) != "of") return plain;
+  const bool piece = head == "piece" || head == "pieces";
+  const bool slice = head == "slice" || head == "slices" || (piece && word(fresh + 2) == "lettuce");
+  if ((!slice && (fresh > 0 || !piece)) || word(fresh + 1) != "of") return plain;
   Reading of = longest(fixed_->nouns, tokens, at + fresh + 2);
   of.length += fresh + 2;
   if (slice)

@@ -57,6 +57,9 @@ class NounTable {
     Predicate state = Predicate::Open;  // of a request: what it asks for
     std::string text;                   // as it is written
   };
+  /// What a pair is called where it is clear that there is one: "pants"; "" for what is no pair, and for what would
+  /// mean something else, too.
+  std::string without_pair(const std::string& category) const;
   /// The phrases of one use that mean exactly these categories, in order of text.
   std::vector<std::string> phrases(const Domain& noun, AliasKind use) const;
 

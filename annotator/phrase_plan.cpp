@@ -97,6 +97,20 @@ NounPhrase PhrasePlanner::quantified(const Formula& binder, Determiner determine
   return phrase;
 }
 
+std::size_t PhrasePlanner::there_now(const Formula& binder, Formula said) const {
+  for (const std::string& free : free_variables(said)) {
+    if (free == binder.variable) continue;
+    const auto found = scope_.find(free);
+    if (found == scope_.end()) return 0;
+    said = exists(free, found->second, std::move(said));
+  }
+  Domain so = binder.domain;
+  std::vector<Formula> all = so.where;
+  all.push_back(std::move(said));
+  so.where = {conjunction(std::move(all))};
+  return home_.members(so, binder.variable).size();
+}
+
 std::optional<Complement> PhrasePlanner::complement(const Formula& f, const std::string& variable, Determiner local) {
   if (f.op == Op::Not) {
     auto inner = complement(f.children[0], variable, local);

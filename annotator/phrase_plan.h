@@ -39,6 +39,8 @@ class PhrasePlanner {
   /// All that `f` says of the variable, joined by and or by or.
   bool complements(const Formula& f, const std::string& variable, Clause& into);
   static Determiner counted(const Formula& f);
+  /// Of how many of what `binder` binds `said` is so at the start of the home; 0 also where that is not known.
+  std::size_t there_now(const Formula& binder, Formula said) const;
   /// What is said of the variable, one by one: `expanded` has pulled the quantifiers to the front.
   static std::vector<Formula> scattered(const Formula& f, const std::string& variable);
 

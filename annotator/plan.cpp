@@ -17,9 +17,6 @@ namespace {
 
 using Op = Formula::Op;
 
-// Of ALFRED's goals that people wrote, half of those with a state and a place are "put a heated egg in the fridge".
-constexpr double kResults = 0.5;
-
 class Planner {
  public:
   Planner(const std::vector<Formula>& start, PlanOptions options, Rng rng)
@@ -70,7 +67,6 @@ class Planner {
     if (everyday_) join_idioms(clauses);
     if (everyday_ || rng_.chance(0.8)) join_subjects(clauses);
     if (everyday_) order_as_done(clauses);
-    if (everyday_ && rng_.chance(kResults)) join_results(clauses);
     plan_.message = std::move(early);
     for (Clause& said : clauses) plan_.message.push_back({Requirement::Kind::Final, {std::move(said)}, false, {}});
     for (Requirement& requirement : late) plan_.message.push_back(std::move(requirement));

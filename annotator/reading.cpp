@@ -134,7 +134,12 @@ NounPhrase PhraseReader::phrase() {
     return read;
   }
   if (accept("that")) return as(Determiner::Known);
-  if (accept_one({"another", "a different"}) >= 0) return as(Determiner::Another);
+  if (accept_one({"another", "a different"}) >= 0) {
+    if (!moved_ || lexicon_.noun_at(tokens_, at_).length > 0 || !complement_comes()) return as(Determiner::Another);
+    read.determiner = Determiner::Another;  // "put a mug on the table and another on the shelf"
+    read.noun = *moved_;
+    return read;
+  }
   for (const auto& [words, size] : kOfTwo) {
     if (!accept(words)) continue;
     read.modifiers.push_back({P::Size, false, std::string(size), {}});
@@ -154,8 +159,11 @@ NounPhrase PhraseReader::phrase() {
     return read;
   }
   if (accept_one({"every", "each"}) >= 0) return as(Determiner::Every);
-  if (accept_one({"all of the", "all the", "all", "both of the", "both the", "both"}) >= 0)
+  if (accept_one({"all of the", "all the", "all"}) >= 0) return as(Determiner::Every, true);
+  if (accept_one({"both of the", "both the", "both"}) >= 0) {
+    read.promised = 2;
     return as(Determiner::Every, true);
+  }
   static constexpr std::pair<Determiner, std::string_view> kCounts[] = {
       {Determiner::Exactly, "exactly"},       {Determiner::Exactly, "precisely"}, {Determiner::AtLeast, "at least"},
       {Determiner::AtLeast, "no fewer than"}, {Determiner::AtMost, "at most"},    {Determiner::AtMost, "no more than"}};
@@ -287,7 +295,7 @@ void PhraseReader::description(NounPhrase& read) {
   direct_description(read);
   if (failed()) return;
   const bool negated = accept_one({"that isn't", "that aren't", "which isn't"}) >= 0;
-  if (negated || accept_one({"that is", "that are", "which is", "which are"}) >= 0) {
+  if (negated || accept_one({"that is", "that's", "that are", "which is", "which are"}) >= 0) {
     accept_one({"now", "currently"});
     do {
       read.modifiers.push_back(complement());

@@ -56,6 +56,8 @@ class PhraseReader {
   Complement complement();
   /// What "what I need for that" means from here on.
   void set_occasion(const Domain& needed) { occasion_ = needed; }
+  /// "Another" alone is of this kind from here on.
+  void set_moved(const Domain& moved) { moved_ = moved; }
   /// From here on what is put somewhere may say what is to be done to it: "put a heated egg on a plate".
   void set_results(bool results) { results_ = results; }
   /// One of `count` meanings of the words.
@@ -98,7 +100,7 @@ class PhraseReader {
   const std::vector<Token>& tokens_;
   const NounTable& lexicon_;
   WordChoices& choices_;
-  std::optional<Domain> occasion_;
+  std::optional<Domain> occasion_, moved_;
   std::vector<Domain> named_;  // what "the red one" may be one of
   std::vector<NounPhrase> contrasts_;
   int depth_ = 0;  // of descriptions, whose nouns it cannot be

@@ -46,6 +46,7 @@ class Realiser {
       }
       if (!next) return std::nullopt;
       sentences.push_back(*next);
+      if (everyday_ && i == message.size() && leaves_open()) sentences.emplace_back("Leave it open.");
     }
     return join(sentences, " ");
   }
@@ -55,6 +56,22 @@ class Realiser {
   bool asks_plainly(const Requirement& said) const {
     return said.kind == Kind::Final && said.clauses.size() == 1 && said.clauses[0].given.empty() &&
            !(everyday_ && says_if_or_else(said.clauses[0]));
+  }
+
+  /// Whether the last command puts something into what was opened for that, and that is to stay open.
+  bool leaves_open() const {
+    const auto says = [](const Requirement& said, Predicate predicate) {
+      return said.kind == Kind::Final && said.clauses.size() == 1 && said.clauses[0].kind == Clause::Kind::Simple &&
+             said.clauses[0].given.empty() && said.clauses[0].complements.size() == 1 &&
+             said.clauses[0].complements[0].predicate == predicate && !said.clauses[0].complements[0].negated;
+    };
+    const Message& message = plan_.message;
+    if (message.size() < 2 || !says(message.back(), Predicate::Inside)) return false;
+    const std::string& opened = message.back().clauses[0].complements[0].object[0].variable;
+    return !opened.empty() && std::any_of(message.begin(), message.end(), [&](const Requirement& said) {
+      return says(said, Predicate::Open) && said.clauses[0].subjects.size() == 1 &&
+             said.clauses[0].subjects[0].variable == opened;
+    });
   }
 
   std::string pick(std::initializer_list<const char*> choices) {
@@ -124,7 +141,7 @@ class Realiser {
       }
       case Kind::Always: {
         if (everyday_)
-          if (const Text left = left_alone(clauses[0], naming_, rng_)) return sentence(*left, '.');
+          if (const Text left = left_alone(clauses[0], naming_)) return sentence(*left, '.');
         if (everyday_ || rng_.chance(0.6))
           if (const Text kept = clauses_.keeping(clauses[0]))
             return framed("", kept, pick({" the whole time", " at all times"}));

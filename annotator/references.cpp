@@ -101,7 +101,7 @@ Term References::pronoun(int column) {
   if (found != latest.end()) std::rotate(found, found + 1, latest.end());
   const std::size_t back = choices_.choose(latest.size());
   const std::string& meant = latest[latest.size() - 1 - back];
-  strained_ = strained_ || meant != last;
+  strained_ = strained_ || (meant != last && (meant != topic_ || last.empty()));
   mentions_.push_back(meant);
   return reference_variable(meant);
 }
@@ -160,10 +160,14 @@ Resolved References::resolve(const NounPhrase& phrase, Box& box) {
     default:
       break;
   }
+  return any_of(phrase, box);
+}
+
+Resolved References::any_of(const NounPhrase& phrase, Box& box) {
   const std::string name = fresh();
   hidden_.push_back(phrase.noun);
   const bool all = phrase.determiner == Determiner::Every || phrase.determiner == Determiner::No;
-  slot = {reference_variable(name), true, restricted(phrase, name, all ? &box : nullptr), &phrase};
+  Resolved slot{reference_variable(name), true, restricted(phrase, name, all ? &box : nullptr), &phrase};
   if (phrase.determiner == Determiner::Any) mentions_.emplace_back();  // of several it would be "them"
   return slot;
 }

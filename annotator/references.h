@@ -44,6 +44,10 @@ class References {
 
   /// `New` phrases are put into the box.
   Resolved resolve(const NounPhrase& phrase, Box& box);
+  /// Whether such a thing was named.
+  bool is_named(const Domain& noun) const { return !named(noun).empty(); }
+  /// Any such object, whatever the article: put around what is said of it.
+  Resolved any_of(const NounPhrase& phrase, Box& box);
   /// A new object of the box, whatever the article.
   Resolved introduced(const NounPhrase& phrase, Box& box);
   /// The same of "if a fridge is open, …", whose modifiers are what is said of it.
@@ -63,7 +67,9 @@ class References {
   void forget_mentions(std::size_t before) { mentions_.resize(before); }
   /// From here on "it" is not clear: "there is a tomato next to the apple".
   void mention_several() { mentions_.emplace_back(); }
-  /// Whether some "it" was taken for something else than what was named last.
+  /// What the command so far was about; "" for several things.
+  void set_topic(const std::string& variable) { topic_ = variable; }
+  /// Whether some "it" was taken for something else than what was named last, or what the last command was about.
   bool is_strained() const { return strained_; }
 
   std::size_t named_count() const { return referents_.size(); }  // things named so far
@@ -95,6 +101,7 @@ class References {
   std::vector<Domain> absent_;
   std::vector<std::string> mentions_;  // variables in order of the text, the latest last; "": what "it" cannot mean
   std::size_t clause_ = 0;             // mentions before the present clause
+  std::string topic_;                  // a variable, or ""
   bool strained_ = false;
   int count_ = 0;
   std::optional<Error> error_;

@@ -89,7 +89,7 @@ constexpr EverydayRow kEverydayRows[] = {
     {P::SatOn, {"sit down on {s}", "sit on {s}"}},
     {P::LainOn, {"lie down on {s}"}},
     {P::On, {"put {s} on {o}", "place {s} on {o}", "move {s} to {o}"}},
-    {P::Inside, {"put {s} in {o}", "place {s} in {o}", "move {s} to {o}", "put {s} inside {o}"}},
+    {P::Inside, {"put {s} in {o}", "place {s} in {o}", "move {s} to {o}"}},
     {P::NextTo, {"put {s} next to {o}", "place {s} next to {o}"}},
     {P::Under, {"put {s} under {o}"}},
     {P::OnFloor, {"put {s} on the floor of {o}"}},
@@ -108,21 +108,6 @@ const WritingRow& row_of(Predicate predicate) {
 }  // namespace
 
 std::string state_word(Predicate predicate) { return std::string(row_of(predicate).state); }
-
-std::string made_so(Predicate predicate) {
-  switch (predicate) {
-    case P::Hot:
-      return "heated";
-    case P::Cool:
-      return "chilled";
-    case P::Clean:
-      return "washed";
-    case P::Cooked:
-      return "cooked";
-    default:
-      return "";
-  }
-}
 
 std::string before_object(Predicate predicate) { return std::string(row_of(predicate).preposition); }
 

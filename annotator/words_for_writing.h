@@ -11,9 +11,6 @@ namespace unietp {
 
 /// The word for a state of one object, after "is"; "" for what is no such state.
 std::string state_word(Predicate predicate);
-/// What something is called that is to be brought into a state: "heated"; "" where people have no word for it that is
-/// not also said of what is so already.
-std::string made_so(Predicate predicate);
 /// The preposition of a relation, after "is"; "" for what is no relation.
 std::string before_object(Predicate predicate);
 /// "its floor" for "it", "the bedroom floor" for "the bedroom"; a room that is described keeps its place at the end.

@@ -31,7 +31,8 @@ struct Said {
 constexpr Said kSaid[] = {
     {"Take all the mugs off the table and put them down.",
      "(exists (?t - Table) (at-end (and (count = 0 (?a - Mug) (on ?a ?t)) (count = 0 (?b - Mug) (held ?b)))))",
-     " and put them "},
+     " and put them somewhere else"},
+    {"Take the mug off the table.", "(at-end (forall (?t - Table) (forall (?a - Mug) (not (on ?a ?t)))))", nullptr},
     {"Leave exactly one mug on the table and put the others somewhere else.",
      "(exists (?t - Table) (at-end (and (count = 1 (?a - Mug) (on ?a ?t)) (count = 0 (?b - Mug) (held ?b)))))",
      "and put the others somewhere else"},
@@ -137,16 +138,16 @@ TEST(Idioms, WithOneWordChangedMeanSomethingElse) {
   const Knowledge knowledge = small_knowledge();
   constexpr std::pair<const char*, std::size_t> kChanged[] = {
       {"Take all the mugs off the table.", 0},
-      {"Leave exactly two mugs on the table and put the others somewhere else.", 1},
-      {"Put the same number of bowls on the table and on the coffee table, with at least one on each.", 3},
-      {"Put more bowls than mugs in the fridge.", 4},
-      {"Keep the fridge closed until the mug is on the table.", 5},
-      {"Put all the mugs on the table, and only then all the bowls.", 6},
-      {"Fill the mug with water, then fill the bowl with water.", 7},
-      {"Slice the apple, then cook a slice of apple.", 8},
-      {"If the fridge is closed, put a mug in it. If not, put it on a table.", 10},
-      {"Put two mugs on the table and make sure that there are as many mugs as apples on the table.", 15},
-      {"Turn off the lamp, put a mug on the table, and turn the lamp on again.", 16}};
+      {"Leave exactly two mugs on the table and put the others somewhere else.", 2},
+      {"Put the same number of bowls on the table and on the coffee table, with at least one on each.", 4},
+      {"Put more bowls than mugs in the fridge.", 5},
+      {"Keep the fridge closed until the mug is on the table.", 6},
+      {"Put all the mugs on the table, and only then all the bowls.", 7},
+      {"Fill the mug with water, then fill the bowl with water.", 8},
+      {"Slice the apple, then cook a slice of apple.", 9},
+      {"If the fridge is closed, put a mug in it. If not, put it on a table.", 11},
+      {"Put two mugs on the table and make sure that there are as many mugs as apples on the table.", 16},
+      {"Turn off the lamp, put a mug on the table, and turn the lamp on again.", 17}};
   for (const auto& [text, of] : kChanged)
     EXPECT_FALSE(check_instruction(text, asking(kSaid[of].goal, "direct"), knowledge).empty()) << text;
 }
@@ -202,7 +203,6 @@ TEST(HomeCounts, AreWhatATextSaysOfOneTwoAndMore) {
       {"(exists (?t - Table) (at-end (count = 2 (?m - Bowl) (on ?m ?t))))", "both bowls on the table.", "exactly"},
       {"(exists (?t - Table) (at-end (count = 3 (?m - Apple) (on ?m ?t))))", "all the apples on the table.", "exactly"},
       {"(exists (?t - Table) (at-end (count = 2 (?m - Apple) (on ?m ?t))))", "two apples on the table.", "all"},
-      {"(exists (?t - Table) (at-end (count = 0 (?m - Mug) (on ?m ?t))))", "ake the mug off the table", "all"},
       {"(and (exists (?f - (Fridge :where (open ?f))) (at-end (closed ?f)))"
        " (forall (?y - (Fridge :where (closed ?y))) (always (closed ?y))))",
        "the other one", "others"}};

@@ -126,7 +126,7 @@ TEST(FunctionStyle, IsNotClaimedForAPhraseThatFitsAnotherThing) {
   const auto& tables = committed_knowledge(Simulator::Behavior);
   const NounTable nouns(tables);
   const auto said = [&](const std::string& things) {
-    const auto task = asking("(exists (?a - " + things + ") (at-end (filled ?a coffee)))", "function");
+    const auto task = asking("(exists (?a - " + things + ") (at-end (held ?a)))", "function");
     std::string texts;
     for (std::uint64_t seed = 0; seed < 50; ++seed)
       if (const auto text = write_instruction(task, tables, nouns, {}, Rng(seed))) texts += text->text + "\n";

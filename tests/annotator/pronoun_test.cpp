@@ -2,8 +2,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <array>
-
 #include "annotator/noun_table.h"
 #include "core/text.h"
 #include "small_knowledge.h"
@@ -78,40 +76,36 @@ TEST(Pronouns, AreWrittenOnlyForWhatWasNamedLast) {
   EXPECT_GT(pronouns, 60);
 }
 
-struct Said {
-  const char* text;
-  const char* goal;
-  const char* words;  // that some text of the goal has
-};
-constexpr std::array kResults{
-    Said{"Put a washed mug on the table.", kWashAndPut, " washed mug "},
-    Said{"Put a bowl with an apple in it on the table.",
-         "(exists (?a - Apple) (exists (?b - Bowl) (exists (?t - Table) (at-end (and (inside ?a ?b) (on ?b ?t))))))",
-         " with an apple in it "},
-    Said{"Put a bowl with a heated apple in it on the table.",
-         "(exists (?a - Apple) (exists (?b - Bowl) (exists (?t - Table) (at-end (and (hot ?a) (inside ?a ?b) (on ?b "
-         "?t))))))",
-         " with a heated apple in it "},
-    Said{"Move the mug from the coffee table to the table.",
-         "(exists (?m - (Mug :where (exists (?c - CoffeeTable) (on ?m ?c)))) (exists (?t - Table) (at-end (on ?m "
-         "?t))))",
-         nullptr}};
+TEST(Pronouns, MeanWhatTheLastCommandWasAboutWhereTheOtherCannotBeMeant) {
+  const Knowledge& knowledge = committed_knowledge(Simulator::Ai2thor);
+  const auto faults = [&](const char* text, const char* goal) {
+    return join(check_instruction(text, asking(goal), knowledge), "; ");
+  };
+  const char* lit = "(exists (?l - DeskLamp) (exists (?d - Desk) (at-end (and (on ?l ?d) (power_on ?l)))))";
+  EXPECT_EQ(faults("Put the desk lamp on the desk and turn it on.", lit), "");
+  const char* other =
+      "(exists (?l - DeskLamp) (exists (?m - Laptop) (exists (?d - Desk) (at-end (and (on ?l ?d) (open ?m) (power_on "
+      "?l))))))";
+  EXPECT_NE(faults("Put the desk lamp on the desk, open the laptop and turn it on.", other), "");
+}
 
-TEST(Results, OfWhatIsPutSomewhereAreInItsName) {
+/// What people say, and the grammar reads: what is put somewhere is to be washed or filled first.
+TEST(Results, OfWhatIsPutSomewhereAreReadInItsName) {
+  EXPECT_TRUE(says("Put a washed mug on the table.", kWashAndPut));
+  EXPECT_TRUE(
+      says("Put a bowl with a heated apple in it on the table.",
+           "(exists (?a - Apple) (exists (?b - Bowl) (exists (?t - Table) (at-end (and (hot ?a) (inside ?a ?b) (on ?b "
+           "?t))))))"));
+}
+
+/// A stranger takes "a washed mug" for one that is clean already.
+TEST(Results, AreWrittenAsCommandsOfTheirOwn) {
   const Knowledge knowledge = small_knowledge();
   const NounTable nouns(knowledge);
-  for (const Said& said : kResults) {
-    if (said.words == nullptr) continue;  // which of "on" and "in" it is, only the facts about a home tell
-    const auto faults = check_instruction(said.text, asking(said.goal), knowledge);
-    EXPECT_TRUE(faults.empty()) << said.text << ": " << (faults.empty() ? "" : faults.front());
-    std::string texts;
-    for (std::uint64_t seed = 0; seed < 30; ++seed) {
-      const auto written = write_instruction(asking(said.goal), knowledge, nouns, {}, Rng(seed));
-      ASSERT_TRUE(written) << said.goal << ": " << format(written.error());
-      texts += written->text + "\n";
-    }
-    EXPECT_THAT(texts, ::testing::HasSubstr(said.words));
-    EXPECT_THAT(texts, ::testing::Not(::testing::HasSubstr("the heated")));
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    const auto written = write_instruction(asking(kWashAndPut), knowledge, nouns, {}, Rng(seed));
+    ASSERT_TRUE(written) << format(written.error());
+    EXPECT_THAT(written->text, ::testing::Not(::testing::HasSubstr("washed")));
   }
 }
 
