@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include <nlohmann/json.hpp>
@@ -26,6 +27,50 @@ std::set<std::string> handled(const FinishedTask& task) {
     }
   }
   return ids;
+}
+
+/// A house, and of each piece of something that the start has, the objectId of the whole that AI2-THOR has to cut.
+struct ThorHouse {
+  ExportedScene written;
+  std::map<std::string, std::string> wholes;
+};
+
+/// The whole that such a piece is cut from; nullptr for what is no piece.
+const Category* whole_of(const std::string& piece, const Knowledge& knowledge) {
+  for (const Effect& effect : knowledge.effects()) {
+    if (effect.treatment == Treatment::Slices && effect.gives == piece) return knowledge.find(effect.target);
+  }
+  return nullptr;
+}
+
+/// AI2-THOR has no models of pieces: the whole stands where a piece lies, unless that is inside something.
+Result<ThorHouse> write_house(const Scene& start, const Knowledge& knowledge, const FormatFacts& facts) {
+  Scene scene = start;
+  std::map<std::string, std::string> pieces;  // category by id
+  for (const Node& node : start.nodes) {
+    const Category* const whole = whole_of(node.category, knowledge);
+    const bool inside = std::any_of(start.edges.begin(), start.edges.end(), [&](const Edge& edge) {
+      return edge.relation == Predicate::Inside && edge.from == node.id;
+    });
+    if (whole == nullptr || inside || !knowledge.asset_rows_of(node.category).empty()) continue;
+    pieces[node.id] = node.category;
+    Node& stands = *edit_node(scene, node.id);
+    stands.category = whole->name;
+    stands.archetype = whole->archetype;
+    stands.asset.clear();
+    stands.pose.position.z() += (whole->size.z() - node.size.z()) / 2;
+    stands.size = whole->size;
+  }
+  auto written = write_procthor(scene, knowledge, facts);
+  if (!written) return written.error();
+  ThorHouse house{std::move(*written), {}};
+  for (const auto& [id, category] : pieces) {
+    const auto name = house.written.names.find(id);
+    if (name == house.written.names.end()) continue;
+    house.wholes[id] = name->second;
+    name->second += "|" + category + "_0";
+  }
+  return house;
 }
 
 /// Why an object is not in the house: what its writer says of it.
@@ -60,7 +105,8 @@ FinishedTask in_house(FinishedTask task, const ThorNames& names) {
 }
 
 /// A task as the runner reads it, and its house. Errors: Unsatisfiable, for what AI2-THOR cannot express.
-Result<Json> task_json(const FinishedTask& task, ExportedScene& house, const Knowledge& knowledge) {
+Result<Json> task_json(const FinishedTask& task, ThorHouse& made, const Knowledge& knowledge) {
+  ExportedScene& house = made.written;
   ThorNames names = house.names;
   std::set<std::string> used = handled(task);
   for (const std::string& id : used) {
@@ -75,6 +121,11 @@ Result<Json> task_json(const FinishedTask& task, ExportedScene& house, const Kno
   used.insert(goal->objects.begin(), goal->objects.end());
   auto start = thor_start(theirs.start, names, used, house.left_out);
   if (!start) return start.error();
+  for (const auto& [id, whole] : made.wholes) {
+    const Json cut{{"action", "SliceObject"}, {"objectId", whole}, {"forceAction", true}};
+    const Json one{{"unless", *thor_test({Predicate::Sliced, ""}, whole)}, {"call", cut}};
+    start->insert(start->begin(), one);
+  }
   const DemonstrationRecord& shown = theirs.shown.at(Mode::M1);
   auto plan = thor_plan(shown, theirs.start, names);
   if (!plan) return plan.error();
@@ -108,12 +159,12 @@ Result<std::string> write_ai2thor_files(const ExportRequest& request) {
                                        const std::filesystem::path& folder) -> Result<std::optional<std::string>> {
     if (task.start.simulator != Simulator::Ai2thor) return std::optional<std::string>("not a task of AI2-THOR");
     const Knowledge& knowledge = *backend_of(request.backends, task.start).knowledge;
-    auto house = write_procthor(task.start, knowledge, facts);
+    auto house = write_house(task.start, knowledge, facts);
     if (!house) return house.error();
     const auto json = task_json(task, *house, knowledge);
     if (!json) return std::optional(json.error().message);
     const std::string text = json->dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
-    for (const auto& [ending, content] : {std::pair{".json", text}, {".house.json", house->text}}) {
+    for (const auto& [ending, content] : {std::pair{".json", text}, {".house.json", house->written.text}}) {
       if (auto written = write_file(folder, task.record.id + ending, content); !written) return written.error();
     }
     return std::optional<std::string>();

@@ -88,6 +88,8 @@ class ThorPlanner {
         return true;
       case ThorWhen::Closed:
         return !before->states.has(Predicate::Open);
+      case ThorWhen::Running:
+        return before->states.has(Predicate::PowerOn);
       case ThorWhen::Closes:
         return !after->states.has(Predicate::Open);
       case ThorWhen::Cleans:
@@ -154,7 +156,9 @@ std::optional<Json> thor_test(const State& state, const std::string& object) {
 
 Result<Json> thor_start(const Scene& start, const ThorNames& names, const std::set<std::string>& used,
                         std::vector<std::string>& differs) {
+  // What is hot stays so here.
   Json calls = Json::array();
+  calls.push_back({{"call", {{"action", "SetDecayTemperatureBool"}, {"allowDecayTemperature", false}}}});
   for (const Node& node : start.nodes) {
     const auto name = names.find(node.id);
     if (name == names.end()) continue;

@@ -25,9 +25,9 @@ Error thor_lacks(std::string why);
 /// house and an action that AI2-THOR does not have.
 Result<nlohmann::ordered_json> thor_plan(const DemonstrationRecord& demonstration, Scene start, ThorNames& names);
 
-/// The start states of the house's objects that its file does not say: `{"unless", "call"}`, a test of the metadata and
-/// what to call where it fails. All states of the objects in `used`, of others those that are not as usual; which of
-/// these AI2-THOR cannot set goes to `differs`, for people. Errors: Unsatisfiable, for such a state of a used object.
+/// What makes the start of a house: `{"unless", "call"}`, a test of the metadata and what to call where it fails. All
+/// states of the objects in `used`, of others those that are not as usual; which of these AI2-THOR cannot set goes to
+/// `differs`, for people. Errors: Unsatisfiable, for such a state of a used object.
 Result<nlohmann::ordered_json> thor_start(const Scene& start, const ThorNames& names, const std::set<std::string>& used,
                                           std::vector<std::string>& differs);
 

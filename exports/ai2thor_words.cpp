@@ -57,8 +57,9 @@ constexpr std::array kThorInFridge{ThorCall{"OpenObject", ThorTarget::Argument, 
                                    ThorCall{"PickupObject", ThorTarget::Held},
                                    ThorCall{"CloseObject", ThorTarget::Argument, ThorWhen::Closes}};
 constexpr std::array kThorInMachine{
-    ThorCall{"PutObject", ThorTarget::Argument}, ThorCall{"ToggleObjectOn", ThorTarget::Argument},
-    ThorCall{"ToggleObjectOff", ThorTarget::Argument}, ThorCall{"PickupObject", ThorTarget::Held}};
+    ThorCall{"PutObject", ThorTarget::Argument}, ThorCall{"ToggleObjectOff", ThorTarget::Argument, ThorWhen::Running},
+    ThorCall{"ToggleObjectOn", ThorTarget::Argument}, ThorCall{"ToggleObjectOff", ThorTarget::Argument},
+    ThorCall{"PickupObject", ThorTarget::Held}};
 constexpr std::array kThorAtTap{ThorCall{"CleanObject", ThorTarget::Held, ThorWhen::Cleans},
                                 ThorCall{"FillObjectWithLiquid", ThorTarget::Held, ThorWhen::Fills}};
 

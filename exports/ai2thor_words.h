@@ -26,9 +26,9 @@ const ThorState* thor_state(Predicate state);
 
 /// Whom a call names.
 enum class ThorTarget { Nothing, Argument, Held, Pose };
-/// When a step needs a call. Closed: the argument is closed before the step. Closes: it is closed after it, and was
-/// opened by the calls. Cleans, Fills: the step cleans, or fills, the target.
-enum class ThorWhen { Always, Closed, Closes, Cleans, Fills };
+/// When a step needs a call. Closed, Running: the target is so before the step. Closes: it is closed after it. Cleans,
+/// Fills: the step cleans, or fills, the target.
+enum class ThorWhen { Always, Closed, Running, Closes, Cleans, Fills };
 struct ThorCall {
   std::string_view action;  // "PickupObject"
   ThorTarget target = ThorTarget::Nothing;
