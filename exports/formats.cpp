@@ -11,10 +11,11 @@ ExportFormat ltlf_format();
 ExportFormat starts_format();
 ExportFormat virtualhome_format();
 ExportFormat habitat_format();
+ExportFormat ai2thor_format();
 
 std::vector<ExportFormat> export_formats() {
-  return {sft_format(),  release_format(),     bddl_format(),    pddl_format(),
-          ltlf_format(), virtualhome_format(), habitat_format(), starts_format()};
+  return {sft_format(),         release_format(), bddl_format(),    pddl_format(),  ltlf_format(),
+          virtualhome_format(), habitat_format(), ai2thor_format(), starts_format()};
 }
 
 std::string ExportRequest::value(const std::string& option) const {

@@ -233,4 +233,14 @@ bool LtlfProposition::holds_in(const Facts& facts) const {
 
 Result<LtlfGoal> ltlf_goal(const Formula& goal, const Trace& start) { return LtlfWriter(start).run(goal); }
 
+bool ranges_over_later_pieces(const Formula& goal, const Scene& start, const Knowledge& knowledge) {
+  for (const std::string& category : categories_of(goal)) {
+    for (const Node& node : start.nodes) {
+      const auto cuts = knowledge.effects_on(node.category, Treatment::Slices);
+      if (std::any_of(cuts.begin(), cuts.end(), [&](const Effect* cut) { return cut->gives == category; })) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace unietp

@@ -4,9 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "akb/knowledge.h"
 #include "core/result.h"
 #include "logic/formula.h"
 #include "logic/trace.h"
+#include "scene/scene.h"
 
 namespace unietp {
 
@@ -33,5 +35,8 @@ struct LtlfGoal {
 /// Errors: Unsatisfiable with the reason, where the goal ranges over objects that the start does not have yet, or the
 /// formula would be longer than 100,000 characters.
 Result<LtlfGoal> ltlf_goal(const Formula& goal, const Trace& start);
+
+/// Whether a quantifier ranges over a category of which there are new objects once something in the scene is cut.
+bool ranges_over_later_pieces(const Formula& goal, const Scene& start, const Knowledge& knowledge);
 
 }  // namespace unietp

@@ -41,6 +41,8 @@ struct ExportedScene {
 /// A house for AI2-THOR's CreateHouse, a VirtualHome environment graph, a Habitat scene instance. Deterministic.
 /// Errors: for a scene of another simulator; for a house, also without a room.
 Result<ExportedScene> write_procthor(const Scene& scene, const Knowledge& knowledge, const FormatFacts& facts);
+/// The id in a house of the room at this place among a scene's rooms: "room|2" is the first.
+std::string procthor_room_id(std::size_t room);
 Result<ExportedScene> write_virtualhome(const Scene& scene, const Knowledge& knowledge, const FormatFacts& facts);
 Result<ExportedScene> write_habitat(const Scene& scene, const Knowledge& knowledge);
 /// The same with a stand-in (habitat_assets.h) for the model of every object, and no scale.

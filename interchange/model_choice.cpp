@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "core/text.h"
 
@@ -26,22 +27,40 @@ std::string box_text(const Vec3& size) {
   return centimetres(size.x()) + " x " + centimetres(size.y()) + " x " + centimetres(size.z()) + " cm";
 }
 
+/// The size of a model's box in the node's frame.
+Vec3 turned(const Vec3& size, const Quat& turn) { return turn.toRotationMatrix().cwiseAbs() * size; }
+
+/// Upright, and the other five ways in which a box can fill an upright one.
+std::vector<Quat> ways_to_lie(const Node& node) {
+  std::vector<Quat> ways{Quat::Identity()};
+  if (!node.movable || node.archetype != Archetype::Box) return ways;
+  const double h = std::sqrt(0.5);
+  const Quat about_x(h, h, 0, 0), about_y(h, 0, h, 0), about_z(h, 0, 0, h);
+  for (const Quat& way : {about_z, about_y, about_x, Quat(about_z * about_x), Quat(about_x * about_z)})
+    ways.push_back(way);
+  return ways;
+}
+
 }  // namespace
 
-const Asset* model_for(const Node& node, const Knowledge& knowledge, std::string& why) {
-  if (const Asset* own = knowledge.asset(node.asset); own != nullptr && own->category == node.category) return own;
-  const auto models = knowledge.assets_of(node.category);
+ChosenModel model_for(const Node& node, const Knowledge& knowledge, std::string& why) {
+  if (const Asset* own = knowledge.asset(node.asset); own != nullptr && own->category == node.category) return {own};
+  const auto models = knowledge.asset_rows_of(node.category);
   if (models.empty()) {
-    why = "the simulator has no model of " + node.category;
-    return nullptr;
+    why = "no model of " + node.category + " is known";
+    return {};
   }
-  const Asset* best = *std::min_element(models.begin(), models.end(), [&](const Asset* a, const Asset* b) {
-    return misfit(a->size, node.size) < misfit(b->size, node.size);
-  });
-  if (misfit(best->size, node.size) <= 1) return best;
-  why = "no model fits its box of " + box_text(node.size) + "; the nearest, " + best->name + ", has " +
-        box_text(best->size);
-  return nullptr;
+  const Asset* nearest = nullptr;
+  for (const Quat& turn : ways_to_lie(node)) {
+    const auto misfit_of = [&](const Asset* model) { return misfit(turned(model->size, turn), node.size); };
+    const Asset* best = *std::min_element(models.begin(), models.end(),
+                                          [&](const Asset* a, const Asset* b) { return misfit_of(a) < misfit_of(b); });
+    if (misfit_of(best) <= 1) return {best, turn};
+    if (nearest == nullptr) nearest = best;
+  }
+  why = "no model fits its box of " + box_text(node.size) + "; the nearest, " + nearest->name + ", has " +
+        box_text(nearest->size);
+  return {};
 }
 
 }  // namespace unietp

@@ -7,9 +7,15 @@
 
 namespace unietp {
 
+/// A model that stands for a node, and how it lies: the rotation of the model's own frame in the node's.
+struct ChosenModel {
+  const Asset* asset = nullptr;  // nullptr: none
+  Quat turn = Quat::Identity();
+};
+
 /// The simulator's model that stands for a node: its own, when the knowledge base has that, else the one of its
-/// category whose box is nearest. nullptr when there is none, or none whose box fits: each extent within a third of the
-/// node's, or within 5 cm. `why` then says so, for people.
-const Asset* model_for(const Node& node, const Knowledge& knowledge, std::string& why);
+/// category whose box is nearest, each extent within a third of the node's or within 5 cm. A movable box, such as a
+/// knife, may lie on any of its sides where none fits upright. Without one, `why` says so, for people.
+ChosenModel model_for(const Node& node, const Knowledge& knowledge, std::string& why);
 
 }  // namespace unietp

@@ -48,8 +48,6 @@ class HouseWriter {
   }
 
  private:
-  std::string room_id(std::size_t room) const { return "room|" + std::to_string(room + 2); }  // theirs begin with 2
-
   std::string wall_id(const WallPart& part, bool exterior) const {
     const Vec2 low = part.from.cwiseMin(part.to), high = part.from.cwiseMax(part.to);
     return "wall|" + (exterior ? std::string("exterior") : std::to_string(part.room + 2)) + "|" +
@@ -66,7 +64,7 @@ class HouseWriter {
       for (auto corner = scene_.rooms[r].polygon.rbegin(); corner != scene_.rooms[r].polygon.rend(); ++corner) {
         polygon.push_back(house_point(*corner));
       }
-      all.push_back({{"id", room_id(r)},
+      all.push_back({{"id", procthor_room_id(r)},
                      {"roomType", type},
                      {"children", Json::array()},
                      {"ceilings", Json::array()},
@@ -83,7 +81,7 @@ class HouseWriter {
       const WallPart& part = parts_[i];
       const double h = scene_.wall_height;
       Json inner{{"id", wall_id(part, false)},
-                 {"roomId", room_id(part.room)},
+                 {"roomId", procthor_room_id(part.room)},
                  {"polygon",
                   {house_point(part.to), house_point(part.from), house_point(part.to, h), house_point(part.from, h)}}};
       if (std::find(missing_.begin(), missing_.end(), i) != missing_.end()) inner["empty"] = true;
@@ -93,7 +91,7 @@ class HouseWriter {
       if (part.behind) continue;
       all.push_back(
           {{"id", wall_id(part, true)},
-           {"roomId", room_id(part.room)},
+           {"roomId", procthor_room_id(part.room)},
            {"polygon",
             {house_point(part.to, h), house_point(part.from, h), house_point(part.to), house_point(part.from)}},
            {"material", house_material("RedBricks 1")},
@@ -132,8 +130,8 @@ class HouseWriter {
       if (same > 1) id = id.get<std::string>() + "|" + std::to_string(same);
       all.push_back(
           {{"id", std::move(id)},
-           {"room0", room_id(*a)},
-           {"room1", room_id(*b)},
+           {"room0", procthor_room_id(*a)},
+           {"room1", procthor_room_id(*b)},
            {"wall0", wall_id(part, false)},
            {"wall1", wall_id(parts_[far_side->part], false)},
            {"assetId", model.name},
@@ -199,7 +197,7 @@ class HouseWriter {
     return objects;
   }
 
-  /// Models of what folds are measured with their lids up.
+  /// What folds as a box around it, opened as far as it is.
   static Node as_it_stands(Node node) {
     if (node.archetype != Archetype::Folding || node.opening <= 0) return node;
     const Bounds open = bounds_of(shape_of(node), Pose(), node.opening);
@@ -209,9 +207,16 @@ class HouseWriter {
   }
 
   std::optional<Json> object(std::size_t i, Json& windows) {
-    const Node node = as_it_stands(scene_.nodes[i]);
+    Node node = as_it_stands(scene_.nodes[i]);
     std::string why;
-    const Asset* model = model_for(node, knowledge_, why);
+    ChosenModel chosen = model_for(node, knowledge_, why);
+    const bool lid_closed = node.archetype == Archetype::Folding && node.opening <= 0;
+    if (chosen.asset == nullptr && lid_closed) {  // most models of what folds are measured with their lids up
+      node.opening = 1;
+      node = as_it_stands(std::move(node));
+      chosen = model_for(node, knowledge_, why);
+    }
+    const Asset* const model = chosen.asset;
     if (model == nullptr) {
       left_out_.push_back(node.id + ": " + why);
       return std::nullopt;
@@ -228,8 +233,9 @@ class HouseWriter {
     const auto in = static_cast<std::size_t>(room - scene_.rooms.data());
     // The model stands where the node does: on the same lowest level.
     Pose pose = node.pose;
+    pose.rotation = pose.rotation * chosen.turn;
     pose.position.z() += bounds_of(Pose{Vec3::Zero(), pose.rotation}, model->size).high.z() -
-                         bounds_of(Pose{Vec3::Zero(), pose.rotation}, node.size).high.z();
+                         bounds_of(Pose{Vec3::Zero(), node.pose.rotation}, node.size).high.z();
     Json json{{"id", node.category + "|" + std::to_string(in + 2) + "|" + std::to_string(numbers_[in]++)},
               {"position", house_xyz(to_unity(pose.position))},
               {"rotation", house_xyz(rotation_to_unity(pose.rotation), 1000)},
@@ -238,7 +244,11 @@ class HouseWriter {
               {"kinematic", !node.movable},
               {"layer", house_layer(in)}};
     names_[node.id] = json["id"];
-    if (node.states.has(Predicate::Open)) json["openness"] = node.opening > 0 ? house_number(node.opening, 1000) : 1.0;
+    if (node.states.has(Predicate::Open)) {
+      json["openness"] = node.opening > 0 ? house_number(node.opening, 1000) : 1.0;
+    } else if (lid_closed) {
+      json["openness"] = 0.0;
+    }
     if (node.states.has(Predicate::Dirty)) json["isDirty"] = true;
     if (node.states.has(Predicate::PowerOn)) json["isOn"] = true;
     return json;
@@ -256,8 +266,8 @@ class HouseWriter {
     windows.push_back(
         {{"id", "window|" + std::to_string(part.room + 2) + "|" + std::to_string(windows.size())},
          {"assetId", model.name},
-         {"room0", room_id(part.room)},
-         {"room1", room_id(part.room)},
+         {"room0", procthor_room_id(part.room)},
+         {"room1", procthor_room_id(part.room)},
          {"wall0", wall_id(part, false)},
          {"wall1", wall_id(part, true)},
          {"holePolygon",
@@ -278,6 +288,8 @@ class HouseWriter {
 };
 
 }  // namespace
+
+std::string procthor_room_id(std::size_t room) { return "room|" + std::to_string(room + 2); }  // theirs begin with 2
 
 Result<ExportedScene> write_procthor(const Scene& scene, const Knowledge& knowledge, const FormatFacts& facts) {
   const auto refuse = [&](std::string message) { return Error{Error::Kind::Usage, scene.id, {}, std::move(message)}; };

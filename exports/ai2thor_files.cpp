@@ -1,0 +1,183 @@
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include <nlohmann/json.hpp>
+
+#include "core/files.h"
+#include "exports/ai2thor_goal.h"
+#include "exports/ai2thor_plan.h"
+#include "exports/formats.h"
+#include "exports/task_folder.h"
+#include "interchange/formats.h"
+#include "scene/trace.h"
+
+namespace unietp {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Objects that the demonstration names or holds.
+std::set<std::string> handled(const FinishedTask& task) {
+  const std::vector<std::string>& held = task.start.agent.held;
+  std::set<std::string> ids(held.begin(), held.end());
+  for (const auto& step : task.shown.at(Mode::M1).steps) {
+    for (const auto& argument : step.command.args) {
+      if (find_node(task.start, argument.id) != nullptr) ids.insert(argument.id);
+    }
+  }
+  return ids;
+}
+
+/// A house, and of each piece of something that the start has, the objectId of the whole that AI2-THOR has to cut.
+struct ThorHouse {
+  ExportedScene written;
+  std::map<std::string, std::string> wholes;
+};
+
+/// The whole that such a piece is cut from; nullptr for what is no piece.
+const Category* whole_of(const std::string& piece, const Knowledge& knowledge) {
+  for (const Effect& effect : knowledge.effects()) {
+    if (effect.treatment == Treatment::Slices && effect.gives == piece) return knowledge.find(effect.target);
+  }
+  return nullptr;
+}
+
+/// AI2-THOR has no models of pieces: the whole stands where a piece lies, unless that is inside something.
+Result<ThorHouse> write_house(const Scene& start, const Knowledge& knowledge, const FormatFacts& facts) {
+  Scene scene = start;
+  std::map<std::string, std::string> pieces;  // category by id
+  for (const Node& node : start.nodes) {
+    const Category* const whole = whole_of(node.category, knowledge);
+    const bool inside = std::any_of(start.edges.begin(), start.edges.end(), [&](const Edge& edge) {
+      return edge.relation == Predicate::Inside && edge.from == node.id;
+    });
+    if (whole == nullptr || inside || !knowledge.asset_rows_of(node.category).empty()) continue;
+    pieces[node.id] = node.category;
+    Node& stands = *edit_node(scene, node.id);
+    stands.category = whole->name;
+    stands.archetype = whole->archetype;
+    stands.asset.clear();
+    stands.pose.position.z() += (whole->size.z() - node.size.z()) / 2;
+    stands.size = whole->size;
+  }
+  auto written = write_procthor(scene, knowledge, facts);
+  if (!written) return written.error();
+  ThorHouse house{std::move(*written), {}};
+  for (const auto& [id, category] : pieces) {
+    const auto name = house.written.names.find(id);
+    if (name == house.written.names.end()) continue;
+    house.wholes[id] = name->second;
+    name->second += "|" + category + "_0";
+  }
+  return house;
+}
+
+/// Why an object is not in the house: what its writer says of it.
+std::string reason_for(const std::string& id, const ExportedScene& house) {
+  for (const std::string& line : house.left_out) {
+    if (line.starts_with(id + ": ")) return line.substr(id.size() + 2);
+  }
+  return "it is not in the house";
+}
+
+/// The task without the objects that are not in the house.
+FinishedTask in_house(FinishedTask task, const ThorNames& names) {
+  std::set<std::string> missing;
+  for (const Node& node : task.start.nodes) {
+    if (!names.contains(node.id)) missing.insert(node.id);
+  }
+  const auto without = [&](const Edge& edge) { return missing.contains(edge.from) || missing.contains(edge.to); };
+  Delta gone;
+  gone.removed.assign(missing.begin(), missing.end());
+  for (const Edge& edge : task.start.edges) {
+    if (without(edge)) gone.edges_removed.push_back(edge);
+  }
+  task.start = apply(std::move(task.start), gone);
+  for (auto& step : task.shown.at(Mode::M1).steps) {
+    Delta& changes = step.changes;
+    std::erase_if(changes.nodes, [&](const Node& node) { return missing.contains(node.id); });
+    std::erase_if(changes.removed, [&](const std::string& id) { return missing.contains(id); });
+    std::erase_if(changes.edges_added, without);
+    std::erase_if(changes.edges_removed, without);
+  }
+  return task;
+}
+
+/// A task as the runner reads it, and its house. Errors: Unsatisfiable, for what AI2-THOR cannot express.
+Result<Json> task_json(const FinishedTask& task, ThorHouse& made, const Knowledge& knowledge) {
+  ExportedScene& house = made.written;
+  ThorNames names = house.names;
+  std::set<std::string> used = handled(task);
+  for (const std::string& id : used) {
+    if (!names.contains(id)) {
+      const Node* const node = find_node(task.start, id);
+      return Error{Error::Kind::Unsatisfiable, "", {}, node->category + ": " + reason_for(id, house)};
+    }
+  }
+  const FinishedTask theirs = in_house(task, names);
+  const auto goal = thor_goal(theirs, names, knowledge);
+  if (!goal) return goal.error();
+  used.insert(goal->objects.begin(), goal->objects.end());
+  auto start = thor_start(theirs.start, names, used, house.left_out);
+  if (!start) return start.error();
+  for (const auto& [id, whole] : made.wholes) {
+    const Json cut{{"action", "SliceObject"}, {"objectId", whole}, {"forceAction", true}};
+    const Json one{{"unless", *thor_test({Predicate::Sliced, ""}, whole)}, {"call", cut}};
+    start->insert(start->begin(), one);
+  }
+  const DemonstrationRecord& shown = theirs.shown.at(Mode::M1);
+  auto plan = thor_plan(shown, theirs.start, names);
+  if (!plan) return plan.error();
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < shown.steps.size(); ++i) {
+    if (shown.steps[i].success && shown.steps[i].command.action != "stop")
+      (*plan)[at++]["holds"] = goal->holding[i + 1];
+  }
+  return Json{{"format", "unietp-ai2thor/1"},
+              {"task", task.record.id},
+              {"template", task.record.template_name},
+              {"instruction", task.record.instruction},
+              {"house", task.record.id + ".house.json"},
+              {"objects", names},
+              {"notSaid", house.left_out},
+              {"start", std::move(*start)},
+              {"plan", std::move(*plan)},
+              {"goal",
+               {{"text", task.record.goal_text},
+                {"formula", goal->formula},
+                {"propositions", goal->propositions},
+                {"holds", goal->holding.front()}}}};
+}
+
+/// For each task of AI2-THOR `<task>.house.json`, its home for CreateHouse, and `<task>.json`, the calls that start it,
+/// the demonstration in M1 as calls, and the goal as tests of the metadata; and left_out.jsonl.
+Result<std::string> write_ai2thor_files(const ExportRequest& request) {
+  const auto [facts, wrong] = read_format_facts(request.data / "scene_files");
+  if (!wrong.empty()) return wrong.front();
+  const auto say = [&, &facts = facts](const FinishedTask& task,
+                                       const std::filesystem::path& folder) -> Result<std::optional<std::string>> {
+    if (task.start.simulator != Simulator::Ai2thor) return std::optional<std::string>("not a task of AI2-THOR");
+    const Knowledge& knowledge = *backend_of(request.backends, task.start).knowledge;
+    auto house = write_house(task.start, knowledge, facts);
+    if (!house) return house.error();
+    const auto json = task_json(task, *house, knowledge);
+    if (!json) return std::optional(json.error().message);
+    const std::string text = json->dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    for (const auto& [ending, content] : {std::pair{".json", text}, {".house.json", house->written.text}}) {
+      if (auto written = write_file(folder, task.record.id + ending, content); !written) return written.error();
+    }
+    return std::optional<std::string>();
+  };
+  const auto made = write_task_folder(request.dataset, {Mode::M1}, request.out, say);
+  if (!made) return made.error();
+  return summary_of(*made, request.out);
+}
+
+}  // namespace
+
+ExportFormat ai2thor_format() {
+  return {"ai2thor", "AI2-THOR's houses, controller calls and goals on its metadata", {}, true, write_ai2thor_files};
+}
+
+}  // namespace unietp
