@@ -201,13 +201,13 @@ void add_validate_command(CommandParser& app, CommandLine& program) {
        {"unietp validate out/my-model --dataset out/benchmark", "an evaluation"},
        {"unietp validate out/first --json > report.json", ""},
        {"unietp validate out/training --against out/benchmark",
-        "no home, seed or instruction may be shared, nor a home or task copied with changes"}});
+        "no home or seed may be shared, nor a home or task copied with changes"}});
   auto* folder = command->add_option("FOLDER", options->folder, "A finished data set or an evaluation")->folder();
   command
       ->add_option(
           "--against", options->against,
-          "Another data set: no home, seed or instruction may be in both, nor a copy of a home or task with small "
-          "changes; shows how alike the two are; may be repeated")
+          "Another data set: no home or seed may be in both, nor a copy of a home or task with small changes; shows "
+          "how alike the two are, and how many instructions both have; may be repeated")
       ->folder()
       ->one_each();
   command->add_option("--dataset", options->dataset, "For an evaluation: the data set that it was made on")->folder();

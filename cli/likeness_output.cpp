@@ -47,6 +47,7 @@ void print_closest(const LikenessMeasure& measure) {
 Json likeness_json(const LikenessReport& report) {
   Json json{{"folder", report.folder}};
   for (const auto& measure : report.measures) json[std::string(measure.name)] = measure_json(measure);
+  json["shared_texts"] = report.shared_texts;
   return json;
 }
 
@@ -59,6 +60,7 @@ void print_likeness(const LikenessReport& report) {
     for (const auto& [name, share] : kQuantiles) std::printf(" %8.2f", measure.quantile(share));
     measure.fails_at ? std::printf(" %8.2f\n", *measure.fails_at) : std::printf(" %8s\n", "-");
   }
+  std::printf("%d instructions are also there, which alone is no leak\n", report.shared_texts);
   for (const auto& measure : report.measures) print_closest(measure);
   std::printf("\n");
 }

@@ -47,6 +47,7 @@ void LikenessCount::add(const TaskRecord& task, const Nearest& nearest, const Co
   };
   add_task(goals, nearest.by_goal, nearest.by_goal.likeness.goal);
   add_task(texts, nearest.by_text, nearest.by_text.likeness.text);
+  if (nearest.by_text.likeness.text == 1) ++report_.shared_texts;
   add_task(tasks, nearest.by_all, nearest.by_all.likeness.nearness());
 }
 

@@ -31,8 +31,6 @@ constexpr std::array kProblems{
     ProblemInfo{Kind::SharedLayout, "shared-layout",
                 "a home, by its rooms and furniture, is also in the other data set"},
     ProblemInfo{Kind::SharedSeed, "shared-seed", "both data sets have the same seed"},
-    ProblemInfo{Kind::SharedText, "shared-text",
-                "an instruction, ignoring case and punctuation, is also in the other data set"},
     ProblemInfo{Kind::SimilarHome, "similar-home", "a home is a copy of one in the other data set, with few changes"},
     ProblemInfo{Kind::SimilarTask, "similar-task",
                 "goal, instruction and home are all much like those of one task of the other data set"},

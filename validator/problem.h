@@ -34,7 +34,6 @@ enum class ProblemKind : std::uint8_t {
   RepeatedText,
   SharedLayout,
   SharedSeed,
-  SharedText,
   SimilarHome,
   SimilarTask,
   // a line or a scene

@@ -15,15 +15,9 @@ Problem of_task(ProblemKind kind, std::string where, std::string task, std::stri
   return problem;
 }
 
-std::pair<std::uint64_t, std::uint64_t> words_key(const std::string& instruction) {
-  const Digest digest = Digester().add(plain_words(instruction)).digest();
-  return {digest.a, digest.b};
-}
-
 /// What of one task must not occur in another data set.
 struct TaskPrint {
   std::string name, layout, home_key;
-  std::pair<std::uint64_t, std::uint64_t> words;
   std::shared_ptr<const HomeFingerprint> home;
   GoalPrint goal;
   TextFingerprint text;
@@ -33,7 +27,6 @@ TaskPrint print_of_task(const TaskRecord& task, const Scene& home, LazyValues<Ho
   return {task.id,
           task.layout,
           home_key_of(home),
-          words_key(task.instruction),
           homes.get(task.layout, [&home] { return print_of_home(home); }),
           print_of_goal(task.goal_tree),
           print_of_text(task.instruction)};
@@ -90,7 +83,6 @@ Result<SetFingerprint> print_of(const std::filesystem::path& folder, int threads
         print.compared.tasks.push_back(
             {std::move(task.name), place->second, std::move(task.goal), std::move(task.text)});
         print.home_keys.insert(std::move(task.home_key));
-        print.words.insert(task.words);
         return Done{};
       });
   if (!done) return done.error();
@@ -117,8 +109,6 @@ void LeakSearch::add(const TaskReading& task, const TaskFacts& facts, const std:
                                         search_.other().homes[nearest->home_place].name + " of " + other_.folder +
                                         " (from " + two_digits(kCopiedHome) + " on it is a copy)");
   }
-  if (other_.words.contains(words_key(record.instruction)))
-    found(ProblemKind::SharedText, "its instruction is also in " + other_.folder);
   if (!nearest) return;
   count_.add(record, *nearest, search_.other());
   if (const auto& [place, likeness] = nearest->by_all; likeness.nearness() >= 1)

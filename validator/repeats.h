@@ -30,12 +30,12 @@ class RepeatSearch {
   KeyList starts_, texts_;
 };
 
-/// What must not occur in two data sets, nor anything much like it.
+/// What must not occur in two data sets, nor anything much like it. That texts are the same is no leak by itself:
+/// people ask for the same thing in the same words.
 struct SetFingerprint {
   std::string folder;  // for messages
   std::uint64_t seed = 0;
   std::set<std::string> home_keys;
-  std::set<std::pair<std::uint64_t, std::uint64_t>> words;  // keys of the instructions
   ComparedSet compared;
 };
 /// Reads tasks, manifest and homes of a finished data set. Errors: those of reading, the first by task.

@@ -237,7 +237,6 @@ TEST(Corruption, LeaksAndPhrasingsOfTheOtherSetAreNamed) {
   std::map<std::string, int> counts;
   for (const auto& problem : verdict.problems) ++counts[problem.kind];
   EXPECT_EQ(counts["shared-layout"], kSmallCount);
-  EXPECT_EQ(counts["shared-text"], kSmallCount);
   EXPECT_EQ(counts["similar-task"], kSmallCount);
   EXPECT_EQ(counts["shared-seed"], 1);
   EXPECT_GT(counts["text-phrasing"], 0);
@@ -316,8 +315,8 @@ TEST(Corruption, EveryKindIsTested) {
   std::set<std::string> tested{"manifest",      "other-knowledge", "missing-file",  "unlisted-file", "changed-file",
                                "counts",        "quota",           "balance",       "rejections",    "database",
                                "repeated-task", "repeated-start",  "repeated-text", "shared-layout", "shared-seed",
-                               "shared-text",   "similar-home",    "similar-task",  "text-phrasing", "wordings",
-                               "card",          "sources",         "reviews",       "home"};
+                               "similar-home",  "similar-task",    "text-phrasing", "wordings",      "card",
+                               "sources",       "reviews",         "home"};
   for (const auto& corruption : kCorruptions) tested.insert(corruption.kind);
   const auto kinds = run_program({"validate", "--kinds"});
   ASSERT_EQ(kinds.code, 0);

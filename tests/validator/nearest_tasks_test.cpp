@@ -154,6 +154,26 @@ TEST(Leaks, ATaskWithAnotherArticleIsOneInASimilarHomeOnly) {
   EXPECT_THAT(leaks({other_text}, {kTask}), IsEmpty());
 }
 
+TEST(Leaks, TheSameWordsAreOneInASimilarHomeWithTheSameGoalOnly) {
+  const std::string& words = kTask.record.instruction;
+  const Scene part = with_rooms_of(kTask.home, 1, drawn_home(17));
+  EXPECT_THAT(leaks({home_task("two", part, "Mug", words)}, {kTask}), ElementsAre(ProblemKind::SimilarTask));
+  EXPECT_THAT(leaks({home_task("two", drawn_home(3), "Mug", words)}, {kTask}), IsEmpty());
+  EXPECT_THAT(leaks({home_task("two", part, "Cup", words)}, {kTask}), IsEmpty());
+}
+
+TEST(Leaks, TheReportCountsTextsThatTheOtherSetHas) {
+  const NearestTasks search(print_of_tasks({kTask}).compared);
+  LikenessCount count("other");
+  const auto add = [&](const std::string& text) {
+    const auto task = home_task("two", drawn_home(3), "Cup", text);
+    count.add(task.record, *search.of(task.record, task.home), search.other());
+  };
+  add("put the mug on a sofa");  // the same but for articles
+  add("Put a cup on the sofa.");
+  EXPECT_EQ(count.report().shared_texts, 1);
+}
+
 TEST(Leaks, TheReportHasTheDistributionAndTheClosestPairs) {
   const auto own = drawn_tasks("own", 30, 1), others = drawn_tasks("other", 40, 2);
   const NearestTasks search(print_of_tasks(others).compared);
