@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "cli/command_parser.h"
+#include "cli/command_shape_quiz.h"
 #include "core/base64.h"
 #include "core/files.h"
 #include "core/png.h"
@@ -146,7 +147,8 @@ void add_shape_command(CommandParser& app, CommandLine& program) {
       {{"unietp shape list", ""},
        {"unietp shape show mug --out mug.png", ""},
        {"unietp shape lint my.shapes", ""},
-       {"unietp shape gallery --out shapes.html", ""}});
+       {"unietp shape gallery --out shapes.html", ""},
+       {"unietp shape quiz things --seed 7 --out out/quiz", ""}});
   group->require_subcommand();
   auto* listing = group->add_subcommand("list", "List the families");
   listing->explain("Each with what it shows.", {{"unietp shape list", ""}});
@@ -170,6 +172,7 @@ void add_shape_command(CommandParser& app, CommandLine& program) {
                 {{"unietp shape gallery --out shapes.html", ""}});
   page->add_option("--out", options->out, "HTML file to write")->required();
   page->callback([options, &program] { program.exit = gallery(*options, program); });
+  add_shape_quiz_command(*group, program);
 }
 
 }  // namespace unietp
