@@ -123,6 +123,24 @@ std::string substance_for(Predicate state, Rng& rng) {
   return state == Predicate::Filled ? rng.pick(kLiquids) : rng.pick(kCovers);
 }
 
+/// At most `count` pairs of one contrast, from the simulator at `turn` on.
+std::vector<QuizItem> pairs_of(const Contrast& contrast, std::size_t turn,
+                               const std::vector<const Knowledge*>& knowledge, std::size_t count, Rng rng) {
+  const auto fits = [&](const Knowledge& one, const Category& category) {
+    return shows(one.simulator(), contrast.with.predicate) && one.has(category.name, contrast.affordance);
+  };
+  std::vector<QuizItem> pairs;
+  for (const Drawn& one : in_turn(knowledge, shuffled(knowledge, rng, fits), count, turn)) {
+    State with = contrast.with;
+    if (!with.symbol.empty()) with.symbol = substance_for(with.predicate, rng);
+    const Node node = drawn(*one.knowledge, *one.category, rng);
+    const std::string without = contrast.without ? words_of(*contrast.without) : "not covered";
+    pairs.push_back(
+        pair_of(one, {with_state(node, with), with_state(node, contrast.without)}, {words_of(with), without}, rng));
+  }
+  return pairs;
+}
+
 }  // namespace
 
 std::vector<QuizItem> quiz_of_things(const std::vector<const Knowledge*>& knowledge, std::size_t movables,
@@ -138,21 +156,13 @@ std::vector<QuizItem> quiz_of_states(const std::vector<const Knowledge*>& knowle
                                      std::uint64_t seed) {
   const std::vector<Contrast> all = contrasts();
   Rng order = Rng(seed).fork("order", 0);
+  std::vector<std::vector<QuizItem>> pairs;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    pairs.push_back(pairs_of(all[i], i, knowledge, count, Rng(seed).fork("state", i)));
   std::vector<QuizItem> items;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    Rng rng = Rng(seed).fork("state", i);
-    const Contrast& contrast = all[i];
-    const auto fits = [&](const Knowledge& one, const Category& category) {
-      return shows(one.simulator(), contrast.with.predicate) && one.has(category.name, contrast.affordance);
-    };
-    const std::size_t share = count / all.size() + (i < count % all.size() ? 1 : 0);
-    for (const Drawn& one : in_turn(knowledge, shuffled(knowledge, rng, fits), share, i)) {
-      State with = contrast.with;
-      if (!with.symbol.empty()) with.symbol = substance_for(with.predicate, rng);
-      const Node node = drawn(*one.knowledge, *one.category, rng);
-      const std::string without = contrast.without ? words_of(*contrast.without) : "not covered";
-      items.push_back(
-          pair_of(one, {with_state(node, with), with_state(node, contrast.without)}, {words_of(with), without}, rng));
+  for (std::size_t round = 0; round < count; ++round) {
+    for (const std::vector<QuizItem>& some : pairs) {
+      if (round < some.size() && items.size() < count) items.push_back(some[round]);
     }
   }
   order.shuffle(items);

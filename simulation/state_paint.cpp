@@ -24,8 +24,12 @@ void dirty(const Look& look, const SurfacePoint& point, Finish& finish) {
 
 /// A layer with gaps, thicker above.
 void covered(const Look& look, const SurfacePoint& point, Finish& finish) {
+  const auto apart = [&](const Colour& colour) { return (colour - look.base).cwiseAbs().maxCoeff(); };
   Colour cover = look.cover;
-  if ((cover - look.base).cwiseAbs().maxCoeff() < 85) cover *= brightness(cover) > kDarkest ? 0.68 : 1.6;
+  if (apart(cover) < 85) {
+    const Colour darker = 0.5 * look.cover, lighter = (1.6 * look.cover).cwiseMin(255);
+    cover = apart(darker) > apart(lighter) ? darker : lighter;
+  }
   const double layer =
       rough_noise(1.6 * look.grain * point.at, look.seed + 29) + 0.16 * std::max(0.0, point.normal.z());
   const double share = 0.95 * ramp(0.36, 0.44, layer);
