@@ -7,6 +7,7 @@
 
 #include "core/files.h"
 #include "core/png.h"
+#include "homes/scene_folder.h"
 #include "simulation/portrait_quiz.h"
 
 namespace unietp {
@@ -85,7 +86,9 @@ Exit quiz(const QuizOptions& options, const CommandLine& program) {
                      : options.of == "materials"
                          ? quiz_of_materials(knowledge, options.count, options.seed)
                          : quiz_of_things(knowledge, options.movables, options.furniture, options.seed);
-  if (items.empty()) return refuse({Error::Kind::Usage, "--count", {}, "expected at least one"});
+  if (items.empty())
+    return refuse({Error::Kind::Usage, options.of == "things" ? "--movables" : "--count", {}, "expected at least one"});
+  if (const auto ready = prepare_folder(options.out); !ready) return refuse(ready.error());
   return write_quiz(items, options.out);
 }
 

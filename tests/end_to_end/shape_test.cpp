@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/files.h"
+#include "core/text.h"
 #include "data_set.h"
 
 namespace unietp {
@@ -37,6 +38,26 @@ TEST(ShapeCommand, LintsFilesWithLineAndColumnAndTheBuiltInShapesWithAllSizes) {
   const auto built_in = run_program({"shape", "lint"});
   EXPECT_EQ(built_in.code, 0) << built_in.err;
   EXPECT_THAT(built_in.out, HasSubstr("behavior"));
+}
+
+TEST(ShapeCommand, DrawsAQuizWithItsAnswersApart) {
+  const ScratchFolder folder;
+  const auto drawn = run_program(
+      {"shape", "quiz", "things", "--movables", "20", "--furniture", "8", "--seed", "5", "--out", folder.at("quiz")});
+  ASSERT_EQ(drawn.code, 0) << drawn.err;
+  EXPECT_EQ(drawn.out, "28 questions on 2 sheets in " + folder.at("quiz") + "\n");
+  EXPECT_EQ(read_file(folder.at("quiz/sheet-02.png"))->substr(1, 3), "PNG");
+  const auto questions = split(*read_file(folder.at("quiz/questions.csv")), '\n');
+  const auto answers = split(*read_file(folder.at("quiz/answers.csv")), '\n');
+  ASSERT_EQ(questions.size(), 30U);  // a header, and nothing after the last line
+  ASSERT_EQ(answers.size(), 30U);
+  EXPECT_THAT(questions[25], ::testing::MatchesRegex("25,2,1,1,[0-9]+x[0-9]+x[0-9]+,furniture"));
+  for (std::size_t i = 1; i <= 28; ++i) {  // no question names its category
+    const auto category = split(answers[i], ',')[2];
+    EXPECT_THAT(questions[i], ::testing::Not(HasSubstr(category))) << answers[i];
+  }
+  EXPECT_EQ(run_program({"shape", "quiz", "states", "--count", "0", "--out", folder.at("none")}).code, 2);
+  EXPECT_EQ(run_program({"shape", "quiz", "smells", "--out", folder.at("none")}).code, 2);
 }
 
 }  // namespace

@@ -76,6 +76,7 @@ std::vector<WritingCommand> writing_commands() {
       {"altered plans", "validate data --altered-plans out.jsonl", "out.jsonl"},
       {"compare", "compare run-replay run-stop --out out", "out"},
       {"shape show", "shape show mug --out out.png", "out.png"},
+      {"shape quiz", "shape quiz states --count 3 --seed 3 --out out", "out", true},
       {"scene show", "scene show home.scene.json.gz --out out.svg", "out.svg"},
       {"scene export", "scene export habitat home.scene.json.gz --out out.json", "out.json"},
       {"knowledge build", "knowledge build --out out", "out", true},
