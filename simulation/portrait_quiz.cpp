@@ -127,7 +127,7 @@ std::string substance_for(Predicate state, Rng& rng) {
 std::vector<QuizItem> pairs_of(const Contrast& contrast, std::size_t turn,
                                const std::vector<const Knowledge*>& knowledge, std::size_t count, Rng rng) {
   const auto fits = [&](const Knowledge& one, const Category& category) {
-    return shows(one.simulator(), contrast.with.predicate) && one.has(category.name, contrast.affordance);
+    return one.has(category.name, contrast.affordance);
   };
   std::vector<QuizItem> pairs;
   for (const Drawn& one : in_turn(knowledge, shuffled(knowledge, rng, fits), count, turn)) {

@@ -54,6 +54,7 @@ void add_liquid(const Shape& shape, double level, std::size_t first, std::vector
     solids.push_back(filling_of(solids[i], level));
     return;
   }
+  if (first < solids.size() && solids[first].sheared) return;  // its shape shows no hollow: a level on the outside does
   for (const Cavity& cavity : shape.cavities) {
     if (!cavity.open_above || cavity.joint >= 0) continue;
     const Vec3 size(2 * cavity.half.x(), 2 * cavity.half.y(), 2 * level * cavity.half.z());

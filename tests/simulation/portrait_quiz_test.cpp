@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "committed_knowledge.h"
 #include "simulation/portrait_quiz.h"
+#include "tests/support/committed_knowledge.h"
 
 namespace unietp {
 namespace {
