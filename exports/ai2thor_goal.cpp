@@ -24,7 +24,13 @@ class TestWriter {
     if (one.meaning == Predicate::InRoom) return in_room(first, one.arguments[1]);
     const auto name = names_.find(first);
     if (name == names_.end()) return thor_lacks(first + " is not in the house");
+    const Json there{{"objectId", name->second}, {"key", "objectId"}, {"equals", name->second}};
+    if (one.presence) return there;
     switch (one.meaning) {
+      case Predicate::SliceOf: {
+        const Node* const piece = find_node(start_, first);
+        return piece != nullptr && piece->slice_of == one.arguments[1] ? there : Json{{"always", false}};
+      }
       case Predicate::Colour:
       case Predicate::Material:
       case Predicate::Size:
@@ -80,25 +86,124 @@ class TestWriter {
   const Knowledge& knowledge_;
 };
 
+EntityIndex entity_of(const std::string& id, const Trace& trace) {
+  std::size_t i = 0;
+  while (trace.entities[EntityIndex(i)].id != id) ++i;
+  return EntityIndex(i);
+}
+
+/// A copy of a piece that lies where it does.
+template <class Edges>
+void add_beside(const Node& piece, std::string id, std::vector<Node>& nodes, const Edges& edges,
+                std::vector<Edge>& added) {
+  std::vector<Edge> copies;
+  for (const Edge& edge : edges) {
+    if (edge.from == piece.id) copies.push_back({edge.relation, id, edge.to});
+  }
+  added.insert(added.end(), copies.begin(), copies.end());
+  nodes.push_back(piece);
+  nodes.back().id = std::move(id);
+}
+
+/// The states of the demonstration with all pieces that AI2-THOR cuts, which are more than ours: the others lie where
+/// the first does. Pieces of what is never cut are entities that never exist.
+Trace trace_with(const std::vector<ThorPiece>& pieces, Scene start, std::vector<Delta> changes, bool with_comparisons) {
+  Delta at_start;
+  std::vector<std::string> never;
+  for (const ThorPiece& piece : pieces) {
+    if (piece.beside.empty()) continue;  // the demonstration itself cuts it
+    if (const Node* const first = find_node(start, piece.beside);
+        first != nullptr && first->category == piece.node.category) {
+      add_beside(*first, piece.node.id, at_start.nodes, start.edges, at_start.edges_added);
+      continue;
+    }
+    bool cut = false;
+    for (Delta& change : changes) {
+      const auto first = std::find_if(change.nodes.begin(), change.nodes.end(), [&](const Node& node) {
+        return node.slice_of == piece.beside && find_node(start, node.id) == nullptr;
+      });
+      if (first == change.nodes.end()) continue;
+      const Node copied = *first;
+      add_beside(copied, piece.node.id, change.nodes, std::vector<Edge>(change.edges_added), change.edges_added);
+      cut = true;
+      break;
+    }
+    if (cut) continue;
+    at_start.nodes.push_back(piece.node);
+    never.push_back(piece.node.id);
+  }
+  Trace trace = to_logic(apply(std::move(start), at_start), changes, with_comparisons);
+  for (const std::string& id : never) {
+    for (Facts& facts : trace.states) facts.forget(entity_of(id, trace));
+  }
+  return trace;
+}
+
 }  // namespace
 
-Result<ThorGoal> thor_goal(const FinishedTask& task, const ThorNames& names, const Knowledge& knowledge) {
+std::vector<ThorPiece> thor_pieces(const FinishedTask& task, const ThorNames& names,
+                                   const std::map<std::string, std::string>& wholes, const Knowledge& knowledge) {
+  constexpr int kPieces = 10;  // a loaf of bread has this many, others fewer
+  std::vector<ThorPiece> pieces;
+  std::set<std::string> known;
+  for (const auto& [id, name] : names) known.insert(name);
+  for (const auto& step : task.shown.at(Mode::M1).steps) {
+    for (const Node& node : step.changes.nodes) {
+      const bool is_new =
+          find_node(task.start, node.id) == nullptr &&
+          std::none_of(pieces.begin(), pieces.end(), [&](const ThorPiece& one) { return one.node.id == node.id; });
+      if (is_new && !node.slice_of.empty()) pieces.push_back({node, names.at(node.id), ""});
+    }
+  }
+  const auto add = [&](const Node& whole, const std::string& piece_category, const std::string& object) {
+    for (int n = 0; n < kPieces; ++n) {
+      ThorPiece piece;
+      piece.objectId = object + "|" + piece_category + "_" + std::to_string(n);
+      if (known.contains(piece.objectId)) continue;
+      piece.node.id = whole.id + "_piece_" + std::to_string(n);
+      piece.node.category = piece_category;
+      piece.node.movable = true;
+      piece.node.size = Vec3::Constant(0.01);
+      piece.beside = whole.id;
+      const bool cut_at_start = whole.category == piece_category;
+      piece.node.slice_of = cut_at_start ? whole.slice_of : whole.id;
+      piece.node.whole_category = cut_at_start ? whole.whole_category : whole.category;
+      pieces.push_back(std::move(piece));
+    }
+  };
+  for (const Node& node : task.start.nodes) {
+    if (const auto cut = wholes.find(node.id); cut != wholes.end()) add(node, node.category, cut->second);
+    const auto cuts = knowledge.effects_on(node.category, Treatment::Slices);
+    if (!cuts.empty()) add(node, cuts.front()->gives, names.at(node.id));
+  }
+  return pieces;
+}
+
+Result<ThorGoal> thor_goal(const FinishedTask& task, ThorNames names, const std::vector<ThorPiece>& pieces,
+                           const Knowledge& knowledge) {
   const Formula& goal = task.record.goal_tree;
-  if (ranges_over_later_pieces(goal, task.start, knowledge))
-    return thor_lacks("its goal ranges over pieces that do not exist at the start");
   std::vector<Delta> changes;
   for (const auto& step : task.shown.at(Mode::M1).steps) changes.push_back(step.changes);
   const bool with_comparisons = reads_comparisons(goal);
-  const Trace start = to_logic(task.start, {}, with_comparisons);
-  const Trace trace = to_logic(task.start, changes, with_comparisons);
-  if (holds(goal, start)) return thor_lacks("among what is in the house its goal holds at the start");
-  if (!holds(goal, trace)) return thor_lacks("among what is in the house the demonstration does not reach its goal");
-  auto ltlf = ltlf_goal(goal, start);
+  if (holds(goal, to_logic(task.start, {}, with_comparisons)))
+    return thor_lacks("among what is in the house its goal holds at the start");
+  if (!holds(goal, to_logic(task.start, changes, with_comparisons)))
+    return thor_lacks("among what is in the house the demonstration does not reach its goal");
+  Scene with_pieces = task.start;
+  for (const ThorPiece& piece : pieces) {
+    with_pieces.nodes.push_back(piece.node);
+    names[piece.node.id] = piece.objectId;
+  }
+  const Trace trace = trace_with(pieces, task.start, changes, with_comparisons);
+  if (!holds(goal, trace)) return thor_lacks("AI2-THOR cuts a thing into more pieces than its goal allows");
+  Facts later = trace.states.front();
+  for (const ThorPiece& piece : pieces) later.set_exists(entity_of(piece.node.id, trace));
+  auto ltlf = ltlf_goal(goal, Trace{trace.entities, {trace.states.front(), std::move(later)}});
   if (!ltlf) return ltlf.error();
   ThorGoal made;
   made.formula = std::move(ltlf->formula);
   made.propositions = Json::array();
-  const TestWriter tests(task.start, names, knowledge);
+  const TestWriter tests(with_pieces, names, knowledge);
   for (const auto& one : ltlf->propositions) {
     const auto test = tests.test_of(one, trace.states.front());
     if (!test) return test.error();
