@@ -116,6 +116,7 @@ struct Requirement {
     Before,     // clause 0 before clause 1
     Then,       // Before, and clause 1 at the end
     ThenKept,   // Before, and both at the end
+    Once,       // the writer's: the same, "once you've put A in B, turn it on"
     Again,      // clause 0 at some point, the others at the end: "open B, take A out of it and close it again"
     UntilThen,  // Until, and both clause 1 and clause 2 at the end: "keep B closed until A is on C, then open it"
     OnlyThen,   // clause 0 before any of what clause 1 says, and both at the end: "…, and only then all the mugs"

@@ -125,13 +125,14 @@ class Composer {
     switch (requirement.kind) {
       case Requirement::Kind::Choose:
         break;
-      case Requirement::Kind::Final:  // "once you've put a mug into the box, close it" has two
-      case Requirement::Kind::Need:
-        for (Formula& one : said) {
-          Formula last = at_end(std::move(one));  // "open the drawer …, and leave it open" says it twice
-          if (std::find(parts.begin(), parts.end(), last) == parts.end()) parts.push_back(std::move(last));
-        }
+      case Requirement::Kind::Once:  // no text is read as this
         break;
+      case Requirement::Kind::Final:
+      case Requirement::Kind::Need: {
+        Formula last = at_end(std::move(said[0]));  // "open the drawer …, and leave it open" says it twice
+        if (std::find(parts.begin(), parts.end(), last) == parts.end()) parts.push_back(std::move(last));
+        break;
+      }
       case Requirement::Kind::Sometime:
         parts.push_back(wrapped(Op::Sometime, {said[0]}));
         break;

@@ -162,7 +162,7 @@ class TextReader {
         words_.set_comma_lists(true);
         words_.expect(",");
         words_.accept("please");
-        say(Kind::Final, {std::move(sooner), clauses_.command()});
+        say(Kind::Then, {std::move(sooner), clauses_.command()});
         return end_sentence();
       }
     if (words_.accept("before you")) {

@@ -128,7 +128,9 @@ class Realiser {
       case Kind::Fact:
         return fact_sentence(clauses[0].subjects[0], naming_, rng_);
       case Kind::Final:
-        return clauses.size() > 1 ? once_done(clauses[0], clauses[1]) : conditional(clauses[0]);
+        return conditional(clauses[0]);
+      case Kind::Once:
+        return once_done(clauses[0], clauses[1]);
       case Kind::Choose: {
         if (naming_.was_named(clauses[0].subjects[0].variable)) return std::nullopt;  // "Choose it."
         const auto named = naming_.phrase(clauses[0].subjects[0], {.chosen = true});

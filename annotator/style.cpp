@@ -32,19 +32,18 @@ bool make_inverted_order(Message& message) {
 
 /// "Put a mug into the box. Close the box." becomes "Once you've put a mug into the box, close it."
 bool make_subordinate_clause(Message& message) {
-  for (std::size_t i = 0; i < message.size(); ++i) {
-    if (!says_one_thing(message[i])) continue;
-    const Complement put = message[i].clauses[0].complements[0];
+  for (Requirement& requirement : message) {
+    if ((requirement.kind != Kind::Then && requirement.kind != Kind::ThenKept) || requirement.inverted) continue;
+    const Clause &sooner = requirement.clauses[0], &later = requirement.clauses[1];
+    const auto plain = [](const Clause& clause) {
+      return clause.kind == Clause::Kind::Simple && clause.subjects.size() == 1 && clause.complements.size() == 1;
+    };
+    if (!plain(sooner) || !plain(later)) continue;
+    const Complement& put = sooner.complements[0];
     const bool place = put.predicate == Predicate::On || put.predicate == Predicate::Inside;
-    if (!place || put.object[0].variable.empty()) continue;
-    for (std::size_t k = 0; k < message.size(); ++k) {
-      if (k == i || !says_one_thing(message[k])) continue;
-      if (message[k].clauses[0].subjects[0].variable != put.object[0].variable) continue;
-      Clause then = message[k].clauses[0];
-      message[i].clauses.push_back(std::move(then));
-      message.erase(message.begin() + static_cast<std::ptrdiff_t>(k));
-      return true;
-    }
+    if (!place || put.object[0].variable.empty() || later.subjects[0].variable != put.object[0].variable) continue;
+    requirement.kind = Kind::Once;
+    return true;
   }
   return false;
 }

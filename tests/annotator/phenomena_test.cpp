@@ -109,11 +109,13 @@ TEST(Phenomena, AContrastTellsWhichOneIsMeant) {
   EXPECT_THAT(read("Pick up the dirty mug, not the hot one."), IsEmpty());  // there is none
 }
 
-TEST(Phenomena, ASubordinateClauseSaysWhatElseIsSoAtTheEnd) {
+TEST(Phenomena, ASubordinateClauseSaysWhatComesFirst) {
   const auto read = parse_with("Once you've put a mug on a table, switch a lamp on.", NounTable(small_knowledge()));
   ASSERT_TRUE(read) << format(read.error());
   const auto wanted = parse_formula(
-      "test", "(exists (?a - Mug) (exists (?b - Table) (exists (?c - Lamp) (at-end (and (on ?a ?b) (power_on ?c))))))",
+      "test",
+      "(exists (?a - Mug) (exists (?b - Table) (exists (?c - Lamp) (and (before (on ?a ?b) (power_on ?c)) (at-end (and "
+      "(on ?a ?b) (power_on ?c)))))))",
       FormulaUse::Goal);
   EXPECT_TRUE(same_meaning(*read, *wanted)) << to_text(*read);
 }
