@@ -93,10 +93,12 @@ TEST(Styles, EachKeepsItsPromise) {
        {},
        "inverted-order",
        {"Before you put", "open"}});
-  expect_says({"(exists (?a - Mug) (exists (?b - Fridge) (at-end (and (inside ?a ?b) (power_on ?b)))))",
-               {},
-               "subordinate-clause",
-               {" you've ", ", "}});
+  expect_says(
+      {"(exists (?a - Mug) (exists (?b - Fridge) (and (before (inside ?a ?b) (power_on ?b)) (at-end (and (inside ?a "
+       "?b) (power_on ?b))))))",
+       {},
+       "subordinate-clause",
+       {" you've ", ", "}});
   expect_says({"(exists (?a - Mug) (exists (?b - Table) (at-end (and (hot ?a) (on ?a ?b)))))",
                {},
                "implicit-need",
