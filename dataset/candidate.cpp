@@ -118,7 +118,9 @@ RejectionEntry repetition_entry(const CandidateRecord& record, bool same_start) 
 
 CandidateRecord outline_of(CandidateRecord record) {
   record.task = {};
-  record.rejection = {};
+  RejectionEntry why;
+  why.reason = std::move(record.rejection.reason);
+  record.rejection = std::move(why);
   return record;
 }
 

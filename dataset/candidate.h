@@ -46,7 +46,7 @@ ActionRow action_row(Mode mode, const StepEntry& step);
 /// The rejection of an accepted candidate that repeats an earlier task.
 RejectionEntry repetition_entry(const CandidateRecord& record, bool same_start);
 
-/// Only slot, attempt, accepted, template, keys and traits.
+/// Only slot, attempt, accepted, template, keys, traits and the reason of a rejection.
 CandidateRecord outline_of(CandidateRecord record);
 
 /// Lower case, letters and digits only, single blanks: instructions that differ in nothing else are the same.

@@ -1,66 +1,31 @@
 #include "expert/belief_expert.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <memory>
 #include <set>
 #include <span>
 #include <utility>
 
-#include "core/text.h"
-#include "expert/achievers.h"
 #include "expert/belief.h"
 #include "expert/execution.h"
 #include "expert/search_order.h"
-#include "simulation/known_start.h"
-#include "simulation/relations.h"
+#include "expert/search_tools.h"
 
 namespace unietp {
 namespace {
 
-constexpr double kEnough = 0.15;        // of the chances to find more of what the goal speaks of all of
-constexpr int kMostThoroughSteps = 20;  // spent on that
+constexpr double kEnough = 0.05;        // of the chances to find more of what the goal speaks of all of
+constexpr int kMostThoroughSteps = 20;  // spent on that before something is done
+constexpr int kMostCheckingSteps = 30;  // of all, when more is looked for at the end
 constexpr int kStepsForTheRest = 4;     // at least, after what is needed was found
 constexpr std::size_t kLongestRun = 3;
 constexpr double kStray_m = 0.01;  // from where a step should have led
+// What is in reach from all around is so also where what nobody has seen yet stands beside it.
+const std::array<Vec2, 4> kAside_m{Vec2{0.05, 0}, Vec2{-0.05, 0}, Vec2{0, 0.05}, Vec2{0, -0.05}};
 
 bool one_of(const std::vector<std::string>& list, const std::string& one) {
   return std::find(list.begin(), list.end(), one) != list.end();
-}
-
-Profile profile_of_m2(Profile profile) {
-  for (const ActionInfo& action : all_actions()) {
-    if (!offers(action, Mode::M2)) profile.actions[static_cast<std::size_t>(action.type)] = false;
-  }
-  return profile;
-}
-
-/// The categories that can bring a state about, where no thing is in that state by hand alone: any of them will do.
-std::vector<std::string> tools_for(const WantedState& wanted, const std::string& category, const Knowledge& knowledge,
-                                   const Profile& profile) {
-  std::vector<std::string> tools;
-  Predicate predicate = wanted.state.predicate;
-  if (!wanted.positive) {
-    if (predicate == Predicate::Covered) {
-      for (const Effect* effect : knowledge.effects_on(category, Treatment::Wipes)) tools.push_back(effect->tool);
-      return tools;
-    }
-    const auto other = opposite_of(predicate);
-    if (!other) return {};
-    predicate = *other;
-  }
-  const std::string& symbol = wanted.state.symbol;
-  for (const Achiever& way : achievers_of(predicate, profile)) {
-    if (way.kind == AchieverKind::Direct) {
-      if (knowledge.has(category, way.affordance)) return {};
-      continue;
-    }
-    if (!way.treatment) continue;
-    for (const Effect* effect : knowledge.effects_on(category, *way.treatment)) {
-      if (symbol.empty() || symbol == "any" || effect->gives == symbol) tools.push_back(effect->tool);
-    }
-  }
-  return tools;
 }
 
 /// Looks, plans and acts behind a window.
@@ -72,7 +37,7 @@ class BeliefExpert {
         needs_(search_needs(problem.goal)),
         profile_(profile_of_m2(problem.profile)),
         belief_(window.told(), needs_, relevant()),
-        order_(window.told(), problem.knowledge, problem.usual, needs_.shut) {}
+        order_(window.told(), problem.knowledge, problem.usual, needs_.shut, profile_.turn_deg) {}
 
   std::optional<Trouble> run() {
     see();
@@ -146,7 +111,7 @@ class BeliefExpert {
 
   void add_targets(std::vector<SearchTarget>& targets, const SearchNeed& need) const {
     for (const std::string& category : need.categories) {
-      if (is_movable(category)) targets.push_back({category, need.places, need.rooms, need.floor});
+      if (is_movable(category)) targets.push_back({category, need.places, need.rooms, need.floor, need.near});
     }
   }
 
@@ -171,9 +136,9 @@ class BeliefExpert {
   }
 
   /// Of what the goal speaks of all of, where there may well be more.
-  std::vector<SearchTarget> overlooked() const {
+  std::vector<SearchTarget> overlooked(int most_steps) const {
     std::vector<SearchTarget> targets;
-    if (steps_ >= kMostThoroughSteps) return targets;
+    if (steps_ >= most_steps) return targets;
     for (const SearchNeed& need : needs_.needs) {
       if (!need.every) continue;
       std::vector<SearchTarget> all;
@@ -186,16 +151,8 @@ class BeliefExpert {
   }
 
   bool may_plan() {
-    if (planned_at_ == belief_.news()) return false;  // nothing new since it did not work
-    return acted_ || (missing().empty() && overlooked().empty());
-  }
-
-  /// Gives a believed scene its relations.
-  static KnownStart read_relations_of(Scene& scene) {
-    KnownStart known{.physics = physics_of(scene)};
-    known.links = LinkTable(scene, known.physics);
-    scene.edges = known.links->edges(scene);
-    return known;
+    const bool news = planned_at_ != belief_.news();  // since it did not work
+    return acted_ ? news : found_enough();
   }
 
   /// What is believed of the home as it was when the first plan was made: with what has come into view since, as it is
@@ -227,7 +184,14 @@ class BeliefExpert {
     ModeRules rules = rules_of(Mode::M2);
     rules.movables = true;  // all that is believed was seen
     rules.limits.steps = steps_left() + static_cast<int>(done_.size());
-    std::optional<std::vector<Action>> plan = done_.empty() ? std::nullopt : the_rest(*tree, rules);
+    Rollout again(*tree, rules);
+    again.go_on(done_);
+    unfit_ = again.done().size() != done_.size();
+    if (unfit_) {
+      trouble_ = {"what was done does not fit what was seen"};
+      return false;
+    }
+    std::optional<std::vector<Action>> plan = done_.empty() ? std::nullopt : the_rest(again);
     if (!plan) plan = another_plan(*tree, rules);
     if (!plan) return false;
     if (plan->size() == 1 && !acted_) {
@@ -244,11 +208,9 @@ class BeliefExpert {
   }
 
   /// What is left of the plan, if it reaches the goal.
-  std::optional<std::vector<Action>> the_rest(ExecutionTree& tree, const ModeRules& rules) const {
+  std::optional<std::vector<Action>> the_rest(Rollout rollout) const {
     const std::span left = std::span(plan_).subspan(std::min(next_, plan_.size()));
     if (left.empty()) return std::nullopt;
-    Rollout rollout(tree, rules);
-    rollout.go_on(done_);
     rollout.go_on(left);
     if (rollout.done().size() != done_.size() + left.size() || !rollout.reaches_goal()) return std::nullopt;
     return std::vector(left.begin(), left.end());
@@ -283,18 +245,48 @@ class BeliefExpert {
   /// One step of the plan; true when it was the last.
   bool follow() {
     if (concerns_plan()) {
-      if (!make_plan()) plan_.clear();
+      if (!make_plan() && !unfit_) plan_.clear();
       return false;
     }
     if (std::exchange(strayed_, false)) (void)make_plan();  // else on with what was planned for another spot
-    const Action action = plan_[next_++];
+    if (plan_[next_].type == ActionType::Stop && look_for_more()) return false;
+    Action action = plan_[next_];
+    if (acts_on_presumed(action)) {
+      action = {ActionType::TurnTo, action.args};
+    } else {
+      ++next_;
+    }
     if (action.type == ActionType::Stop) return window_.act(action).success;
+    if (action.type == ActionType::TurnTo) looked_for_.insert(action.args.front());
     if (!act_as_planned(action)) {
       give_up("for " + to_text(action) + ": " + trouble_.text, trouble_.failure);
       return false;
     }
     acted_ = true;
     return false;
+  }
+
+  /// Whether it switches or moves a door of furniture whose state nobody has seen yet: that is looked at first.
+  bool acts_on_presumed(const Action& action) const {
+    const bool depends = action.type == ActionType::TurnOn || action.type == ActionType::TurnOff ||
+                         action.type == ActionType::Open || action.type == ActionType::Close;
+    if (!depends || action.args.empty() || looked_for_.contains(action.args.front()) ||
+        belief_.has_seen(action.args.front()))
+      return false;
+    World trial = *foreseen_;
+    return trial.step({ActionType::TurnTo, action.args}).success;
+  }
+
+  /// All is done that was seen to be needed. One look more where there may well be more of what the goal speaks of all
+  /// of; false when that is not worth it.
+  bool look_for_more() {
+    const auto targets = overlooked(kMostCheckingSteps);
+    const auto look = targets.empty() || steps_left() <= kStepsForTheRest ? std::nullopt : next_look(targets);
+    if (!look) return false;
+    const int before = belief_.news();
+    if (!look_there(*look)) give_up("in search: " + trouble_.text, trouble_.failure);
+    surprised_ = surprised_ || belief_.news() != before;
+    return true;
   }
 
   /// Takes in what an action must have changed.
@@ -312,6 +304,8 @@ class BeliefExpert {
       return false;
     }
     ++steps_;
+    if (action.type == ActionType::GoTo) at_ = action.args.front();
+    if (info(action.type).group == ActionClass::Movement && action.args.empty()) at_.clear();
     foresee(action);
     const int before = belief_.news();
     see();
@@ -351,14 +345,10 @@ class BeliefExpert {
     return std::any_of(plan_.begin() + static_cast<std::ptrdiff_t>(next_), plan_.end(), uses);
   }
 
-  static std::string names_of(const std::vector<SearchTarget>& targets) {
-    std::vector<std::string> names;
-    for (const SearchTarget& target : targets) names.push_back(target.category);
-    return join(names, ", ");
-  }
-
   /// Enough is known to try a plan that was not tried yet.
-  bool found_enough() const { return planned_at_ != belief_.news() && missing().empty(); }
+  bool found_enough() const {
+    return planned_at_ != belief_.news() && missing().empty() && overlooked(kMostThoroughSteps).empty();
+  }
 
   /// The home as it was told, to see where one can stand and what can be opened.
   const World* told_world() {
@@ -372,40 +362,48 @@ class BeliefExpert {
   bool would_work(const SearchOrder::Look& look) {
     const World* told = told_world();
     if (told == nullptr) return true;
+    if (look.from_here) return true;
     World trial = *told;
     if (!trial.step({ActionType::GoTo, {look.id}}).success) {
       order_.give_up(look.id);
       return false;
     }
-    if (!look.opens || trial.step({ActionType::Open, {look.id}}).success) return true;
+    if (!look.opens) return shows_more(look, *told);
+    if (trial.step({ActionType::Open, {look.id}}).success) return true;
     order_.keep_shut(look.id);
     return false;
+  }
+  /// Whether the camera can be turned so; if not, there is no such look at the place.
+  bool shows_more(const SearchOrder::Look& look, World trial) {
+    const auto way = order_.way_to(look, at_);
+    if (std::all_of(way.begin(), way.end(), [&](const Action& action) { return trial.step(action).success; }))
+      return true;
+    order_.looked_at(look.id, belief_);
+    return false;
+  }
+  /// Whether it can be opened, as far as was told, from where the agent stands, and is in the picture.
+  bool in_reach(const std::string& id) {
+    const World* told = told_world();
+    if (told == nullptr || (told->agent().position - window_.body().position).norm() > kStray_m) return false;
+    const auto reached_from = [&](const Vec2& aside) {
+      return told->in_reach_from(window_.body().position + aside, id);
+    };
+    if (!told->in_reach(id) || !std::all_of(kAside_m.begin(), kAside_m.end(), reached_from)) return false;
+    if (!told->pictured_from(window_.body(), id)) return false;
+    World trial = *told;
+    return trial.step({ActionType::Open, {id}}).success;
   }
   /// Whether it was seen to be on and cannot be opened before it is off.
   bool runs(const std::string& id) const {
     return problem_.profile.open_needs_power_off && belief_.find(id)->states.has(Predicate::PowerOn);
   }
 
-  /// The steps to a view of a place from another angle than before.
-  std::vector<Action> way_to_look(const SearchOrder::Look& look) {
-    const Action go{ActionType::GoTo, {look.id}};
-    const bool here = at_ == look.id;
-    if (look.room && look.before > 0) {
-      const double turns = std::max(1.0, std::round(90 / problem_.profile.turn_deg));
-      std::vector<Action> way(static_cast<std::size_t>(turns), {ActionType::TurnLeft, {}});
-      if (!here) way.insert(way.begin(), go);
-      return way;
-    }
-    if (look.before == 1 && !look.opens)
-      return here ? std::vector<Action>{{ActionType::LookDown, {}}} : std::vector{go, {ActionType::LookDown, {}}};
-    if (look.before == 2 && !look.opens) return {go, {ActionType::LookUp, {}}};
-    if (look.before >= 3 && !look.opens) {
-      const auto others = order_.beside(look.id);
-      const auto other = static_cast<std::size_t>(look.before - 3);
-      if (other < others.size()) return {{ActionType::GoTo, {others[other]}}, {ActionType::TurnTo, {look.id}}};
-    }
-    if (here) return {};
-    return {go};
+  /// The most promising look that would work, as far as was told.
+  std::optional<SearchOrder::Look> next_look(const std::vector<SearchTarget>& targets) {
+    const auto in_reach = [this](const std::string& id) { return this->in_reach(id); };
+    auto look = order_.next(targets, belief_, at_, in_reach);
+    while (look && !would_work(*look)) look = order_.next(targets, belief_, at_, in_reach);
+    return look;
   }
 
   /// One look where something needed may be.
@@ -413,22 +411,21 @@ class BeliefExpert {
     if (steps_left() <= kStepsForTheRest)
       return give_up("too long a search for " + names_of(missing()) + "; " + trouble_.text);
     auto targets = missing();
-    if (targets.empty()) targets = overlooked();
+    if (targets.empty()) targets = overlooked(kMostThoroughSteps);
     if (targets.empty()) {
       for (const SearchNeed& need : needs_.needs) {
         for (const std::string& category : need.categories)
-          targets.push_back({category, need.places, need.rooms, need.floor});
+          targets.push_back({category, need.places, need.rooms, need.floor, need.near});
       }
     }
-    auto look = order_.next(targets, belief_, at_);
-    while (look && !would_work(*look)) look = order_.next(targets, belief_, at_);
+    const auto look = next_look(targets);
     if (!look) return give_up("nowhere left to look for " + names_of(targets) + "; " + trouble_.text);
     if (!look_there(*look)) give_up("in search: " + trouble_.text, trouble_.failure);
   }
 
   /// False when something failed.
   bool look_there(const SearchOrder::Look& look) {
-    const auto way = way_to_look(look);
+    const auto way = order_.way_to(look, at_);
     for (const Action& action : way) {
       if (const World* told = told_world()) {
         World trial = *told;
@@ -438,12 +435,12 @@ class BeliefExpert {
       at_ = action.type == ActionType::GoTo ? action.args.front() : at_;
       if (action != way.back() && found_enough()) break;
     }
-    if (look.opens && !(look.before == 0 && found_enough())) {
+    if (look.opens && (way.empty() || look.before > 0 || !found_enough())) {
       const bool open = belief_.find(look.id)->states.has(Predicate::Open);
       if (!open && runs(look.id) && !act({ActionType::TurnOff, {look.id}})) return false;
       if (!open && !act({ActionType::Open, {look.id}})) return false;
     }
-    order_.looked_at(look.id, belief_);
+    look.from_here ? order_.peeked_into(look.id) : order_.looked_at(look.id, belief_);
     return true;
   }
 
@@ -456,12 +453,14 @@ class BeliefExpert {
 
   std::vector<Action> plan_;
   std::size_t next_ = 0;
-  int planned_at_ = -1;                    // the news when it was made, or could not be made
+  bool unfit_ = false;   // no plan was made, since what was done does not work in the home that is believed now
+  int planned_at_ = -1;  // the news when it was made, or could not be made
   std::unique_ptr<Scene> believed_scene_;  // before the first plan
   std::unique_ptr<ExecutionTree> believed_;
-  std::unique_ptr<World> foreseen_;             // where the plan should have led by now
-  std::vector<Action> done_;                    // since the first plan
-  std::set<std::string, std::less<>> touched_;  // what that changed
+  std::unique_ptr<World> foreseen_;                // where the plan should have led by now
+  std::vector<Action> done_;                       // since the first plan
+  std::set<std::string, std::less<>> touched_;     // what that changed
+  std::set<std::string, std::less<>> looked_for_;  // furniture that was turned to before it was used
 
   std::unique_ptr<World> told_world_;
 

@@ -103,7 +103,9 @@ class NeedReader {
         auto& known = formula.predicate == Predicate::InRoom || formula.predicate == Predicate::OnFloor ? need.rooms
                                                                                                         : need.places;
         const bool at = formula.predicate == Predicate::On || formula.predicate == Predicate::Inside ||
-                        formula.predicate == Predicate::InRoom || formula.predicate == Predicate::OnFloor;
+                        formula.predicate == Predicate::NextTo || formula.predicate == Predicate::InRoom ||
+                        formula.predicate == Predicate::OnFloor;
+        if (formula.predicate == Predicate::Nearest) need.near.insert(need.near.end(), others->begin(), others->end());
         if (at) known.insert(known.end(), others->begin(), others->end());
         need.floor = need.floor || formula.predicate == Predicate::OnFloor;
       }
@@ -138,6 +140,12 @@ class NeedReader {
     if (formula.op == Op::Exists && !wanted) {
       need.at_least = 0;
       note_places(formula.children[0], formula.variable, need);
+    }
+    const Formula& child = formula.children[0];
+    const Formula& body = child.op == Op::AtEnd ? child.children[0] : child;
+    if (formula.op == Op::Forall && wanted && body.op == Op::Not) {  // none of them may be there
+      need.at_least = 0;
+      note_places(body.children[0], formula.variable, need);
     }
     found_.needs.push_back(std::move(need));
     read(formula.children[0], wanted);

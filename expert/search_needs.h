@@ -17,6 +17,7 @@ struct SearchNeed {
   std::vector<std::string> places = {};  // categories of what the goal says they are on or in; empty: anywhere
   std::vector<std::string> rooms = {};   // types of rooms that the goal says they are in; empty: any
   bool floor = false;                    // the goal says that they are on the floor
+  std::vector<std::string> near = {};    // categories of what the goal says one of them is the nearest to
 };
 
 /// A state that a goal asks for, or says that things are in.

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
+
+#include "core/text.h"
 
 namespace unietp {
 namespace {
@@ -10,14 +13,16 @@ namespace {
 // What is left of a chance after so many looks, each from another angle.
 constexpr std::array kLeftOfFurniture{1.0, 0.12, 0.08, 0.05, 0.02, 0.0};
 constexpr std::array kLeftOfRoom{1.0, 0.75, 0.5, 0.25, 0.0, 0.0};
-constexpr double kGlimpsed = 0.4;    // of what is on something that was in view from elsewhere
+constexpr double kGlimpsed = 0.4;  // of what is on something that was in view from elsewhere, or in what was opened so
 constexpr double kElsewhere = 0.02;  // of the chance of a place that the goal does not name, where it names others
 constexpr double kOddRoom = 0.1;     // of the chance in a room that the knowledge base does not name
 constexpr double kOdd = 1e-4;        // chance of a place where such things are not known to be
 constexpr double kOnFloor = 1e-3;    // of a room
+constexpr double kLiesAbout = 0.1;   // times how usual it is that such a thing is on the floor
 constexpr double kLeast = 1e-9;
 constexpr double kBeside_m = 3;
-constexpr double kPerMetre = 0.05;  // steps that a metre of way counts for
+constexpr double kQuarter_deg = 90;  // from one view of a room to the next
+constexpr double kPerMetre = 0.05;   // steps that a metre of way counts for
 
 bool has(const std::vector<std::string>& list, const std::string& one) {
   return std::find(list.begin(), list.end(), one) != list.end();
@@ -30,8 +35,11 @@ double left_after(const std::array<double, 6>& left, int looks) {
 }  // namespace
 
 SearchOrder::SearchOrder(const Scene& told, const Knowledge& knowledge, const Household* usual,
-                         std::set<std::string> shut)
-    : knowledge_(knowledge), usual_(usual), shut_(std::move(shut)) {
+                         std::set<std::string> shut, double turn_deg)
+    : knowledge_(knowledge),
+      usual_(usual),
+      shut_(std::move(shut)),
+      turns_(std::max(1.0, std::round(kQuarter_deg / turn_deg))) {
   for (const Node& node : told.nodes) {
     ++of_category_[node.category];
     Place place{node.id, node.category};
@@ -57,7 +65,8 @@ SearchOrder::Chance SearchOrder::chance(const SearchTarget& target, const Place&
   const double suits = usual_ == nullptr ? 1 : usual_->in_room(target.category, place.room_type);
   if (place.category.empty()) {
     if (target.floor) return {fits ? 1.0 : 0.0, 0};
-    return {(fits ? kOnFloor : kOnFloor * kElsewhere) * (target.places.empty() ? suits : kElsewhere), 0};
+    const double lies = usual_ == nullptr ? 0 : kLiesAbout * usual_->on_floor(target.category);
+    return {(kOnFloor + lies) * (fits ? 1 : kElsewhere) * (target.places.empty() ? suits : kElsewhere), 0};
   }
   if (place.category == target.category && !belief.has_seen(place.id)) return {1, 0};
   const auto number = static_cast<double>(of_category_.find(place.category)->second);
@@ -72,6 +81,7 @@ SearchOrder::Chance SearchOrder::chance(const SearchTarget& target, const Place&
     return known->likelihood * (category->rooms.empty() || has(category->rooms, place.room_type) ? 1 : kOddRoom);
   };
   Chance chance{of(Predicate::On) / number, of(Predicate::Inside) / number};
+  if (has(target.near, place.category)) chance.on += 1;
   double factor = fits ? 1 : kElsewhere;
   if (target.floor) factor *= kElsewhere;
   if (has(target.places, place.category)) {
@@ -97,18 +107,24 @@ double SearchOrder::left_on(const Place& place, int looks) {
 double SearchOrder::left_inside(const Place& place, bool shut, int looks) const {
   if (place.given_up) return 0;
   if (shut) return place.stays_shut || shut_.contains(place.category) ? 0 : 1;
-  return left_after(kLeftOfFurniture, looks);
+  return looks == 0 && place.peeked_into ? kGlimpsed : left_after(kLeftOfFurniture, looks);
+}
+
+std::string names_of(const std::vector<SearchTarget>& targets) {
+  std::vector<std::string> names;
+  for (const SearchTarget& target : targets) names.push_back(target.category);
+  return join(names, ", ");
 }
 
 std::optional<SearchOrder::Look> SearchOrder::next(const std::vector<SearchTarget>& targets, const Belief& belief,
-                                                   std::string_view at) const {
+                                                   std::string_view at, const InReach& in_reach) const {
   const Agent& agent = belief.scene().agent;
   std::optional<Look> best;
   double most = kLeast;
-  const auto offer = [&](const Place& place, double gain, double cost, bool opens) {
+  const auto offer = [&](const Place& place, double gain, double cost, bool opens, bool from_here = false) {
     if (gain / cost <= most) return;
     most = gain / cost;
-    best = Look{place.id, opens, place.looks, place.category.empty()};
+    best = Look{place.id, opens, place.looks, place.category.empty(), from_here};
   };
   for (const Place& place : places_) {
     Chance all;
@@ -125,10 +141,14 @@ std::optional<SearchOrder::Look> SearchOrder::next(const std::vector<SearchTarge
     const double inside_now = shut ? 0
                                    : all.inside * (left_inside(place, false, place.looks_inside) -
                                                    left_inside(place, false, place.looks_inside + 1));
-    offer(place, on + inside_now, way + (place.looks == 0 ? 0 : 1), false);
+    const double turned = place.looks == 0 ? 0 : place.category.empty() ? turns_ : 1;
+    offer(place, on + inside_now, way + turned, false);
     if (!shut) continue;
     const double opened = all.inside * (left_inside(place, true, 0) - left_after(kLeftOfFurniture, 1));
-    if (left_inside(place, true, 0) > 0) offer(place, (place.looks == 0 ? on : 0) + opened, way + 1, true);
+    if (left_inside(place, true, 0) <= 0) continue;
+    offer(place, (place.looks == 0 ? on : 0) + opened, way + 1, true);
+    const double peeked = all.inside * (left_inside(place, true, 0) - kGlimpsed);
+    if (peeked > most && in_reach(place.id)) offer(place, peeked, 1, true, true);
   }
   return best;
 }
@@ -149,11 +169,36 @@ std::vector<std::string> SearchOrder::beside(const std::string& id) const {
   return ids;
 }
 
+std::vector<Action> SearchOrder::way_to(const Look& look, std::string_view at) const {
+  if (look.from_here) return {};
+  const Action go{ActionType::GoTo, {look.id}};
+  const bool here = at == look.id;
+  if (look.room && look.before > 0) {
+    std::vector<Action> way(static_cast<std::size_t>(turns_), {ActionType::TurnLeft, {}});
+    if (!here) way.insert(way.begin(), go);
+    return way;
+  }
+  if (look.before == 1 && !look.opens)
+    return here ? std::vector<Action>{{ActionType::LookDown, {}}} : std::vector{go, {ActionType::LookDown, {}}};
+  if (look.before == 2 && !look.opens) return {go, {ActionType::LookUp, {}}};
+  if (look.before >= 3 && !look.opens) {
+    const auto others = beside(look.id);
+    const auto other = static_cast<std::size_t>(look.before - 3);
+    if (other < others.size()) return {{ActionType::GoTo, {others[other]}}, {ActionType::TurnTo, {look.id}}};
+  }
+  if (here) return {};
+  return {go};
+}
+
 void SearchOrder::looked_at(const std::string& id, const Belief& belief) {
   Place* place = find(id);
   if (place == nullptr) return;
   ++place->looks;
   if (!is_shut(*place, belief)) ++place->looks_inside;
+}
+
+void SearchOrder::peeked_into(const std::string& id) {
+  if (Place* place = find(id)) place->peeked_into = true;
 }
 
 void SearchOrder::glimpsed(const std::string& id) {

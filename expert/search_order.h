@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -9,6 +10,7 @@
 #include "akb/knowledge.h"
 #include "expert/belief.h"
 #include "grounding/household.h"
+#include "scene/action.h"
 
 namespace unietp {
 
@@ -17,7 +19,11 @@ struct SearchTarget {
   std::string category;
   std::vector<std::string> places = {}, rooms = {};  // as in SearchNeed
   bool floor = false;
+  std::vector<std::string> near = {};
 };
+
+/// Their categories, for people.
+std::string names_of(const std::vector<SearchTarget>& targets);
 
 /// Where to look for things, in the order in which they are usually found there: by the knowledge of homes in general,
 /// the furniture that was told, and where the agent has looked already. A place that was looked at from one side may
@@ -25,8 +31,9 @@ struct SearchTarget {
 class SearchOrder {
  public:
   /// `usual`: where things are in a lived-in home; nullptr: as the knowledge base says. All must outlive it. `shut`:
-  /// categories that are not opened.
-  SearchOrder(const Scene& told, const Knowledge& knowledge, const Household* usual, std::set<std::string> shut);
+  /// categories that are not opened. `turn_deg`: by how much a step turns the agent.
+  SearchOrder(const Scene& told, const Knowledge& knowledge, const Household* usual, std::set<std::string> shut,
+              double turn_deg);
 
   /// A place to look: a piece of furniture or a room.
   struct Look {
@@ -34,11 +41,18 @@ class SearchOrder {
     bool opens = false;  // it is opened for that
     int before = 0;      // how often it was looked at: each time from another angle
     bool room = false;
+    bool from_here = false;  // it is opened from where the agent stands
   };
+  /// Whether the agent could open a piece of furniture from where it stands, with it in the picture.
+  using InReach = std::function<bool(const std::string& id)>;
   /// The most promising one for its steps; nullopt when none is left. `at`: where the agent has gone last.
-  std::optional<Look> next(const std::vector<SearchTarget>& targets, const Belief& belief, std::string_view at) const;
-  /// The furniture around a piece of furniture, the nearest first.
-  std::vector<std::string> beside(const std::string& id) const;
+  std::optional<Look> next(const std::vector<SearchTarget>& targets, const Belief& belief, std::string_view at,
+                           const InReach& in_reach) const;
+  /// The steps to it, before anything is opened: to a place that was looked at before, to a view from another angle;
+  /// none where the agent is as it should be.
+  std::vector<Action> way_to(const Look& look, std::string_view at) const;
+  /// It was opened from where the agent stood, which shows only some of what is inside.
+  void peeked_into(const std::string& id);
   /// It was looked at once more.
   void looked_at(const std::string& id, const Belief& belief);
   /// It was in view.
@@ -51,12 +65,14 @@ class SearchOrder {
   double unseen_share(const SearchTarget& target, const Belief& belief) const;
 
  private:
+  /// The furniture around a piece of furniture, the nearest first.
+  std::vector<std::string> beside(const std::string& id) const;
   struct Place {
     std::string id, category;  // "" for a room
     std::string room_type = "";
     Vec2 position = Vec2::Zero();
     int looks = 0, looks_inside = 0;
-    bool glimpsed = false, given_up = false, stays_shut = false;
+    bool glimpsed = false, peeked_into = false, given_up = false, stays_shut = false;
   };
   /// To find a thing on or in a place, before anybody looked.
   struct Chance {
@@ -71,6 +87,7 @@ class SearchOrder {
   const Knowledge& knowledge_;
   const Household* usual_;
   std::set<std::string> shut_;
+  double turns_;  // steps of a quarter turn
   std::vector<Place> places_;
   std::map<std::string, std::size_t, std::less<>> place_of_;
   std::map<std::string, int, std::less<>> of_category_;  // how many pieces

@@ -3,10 +3,22 @@
 #include <algorithm>
 
 #include "core/files.h"
+#include "generator/rejection.h"
 #include "run/make_task.h"
 #include "scene/scene_json.h"
 
 namespace unietp {
+namespace {
+
+/// Whether other candidates of the template are nearly always rejected for the same: of a hundred that followed in a
+/// slot of a training run, one to five were accepted.
+bool is_of_template(std::string_view reason) {
+  using enum RejectionReason;
+  const auto named = rejection_reason_named(reason);
+  return named == NoReferringConstraint || named == NoWording || named == Senseless;
+}
+
+}  // namespace
 
 BlockRun::BlockRun(const RunConfiguration& configuration, const Resources& resources, const Block& block,
                    Ledger& ledger, const BlockCallbacks& callbacks)
@@ -88,6 +100,7 @@ void BlockRun::end_round() {
   for (const auto& record : round) {
     if (record.accepted && selection_.offer(record) == Selection::Verdict::Taken)
       taken_.add(traits_from(record.traits));
+    if (is_of_template(record.rejection.reason)) planner_.drop_template(record.slot);
   }
 }
 

@@ -39,7 +39,6 @@ std::vector<CandidatePlan> CandidatePlanner::round(const std::vector<int>& open,
   counts_ = taken;
   auto& counts = counts_;
   const auto position = [&](int slot) { return static_cast<std::size_t>(slot - slots_.front().index); };
-  const auto turn_of = [&](int slot) -> Turn& { return turns_[position(slot)]; };
   for (const int slot : open) {  // slots that keep a template count before any is drawn
     if (turn_of(slot).left > 0) counts.add({Dimension::Template, resources_.templates[turn_of(slot).source].name});
   }
@@ -63,6 +62,7 @@ std::vector<CandidatePlan> CandidatePlanner::round(const std::vector<int>& open,
                        least_of(slot, turn.source, attempt),
                        style_of(slot, turn.drawn - 1)};
     choose_home(plan, slot, counts, rng);
+    if (!plan.binding) turn.left = 0;
     count(plan, slot, counts);
     plans.push_back(std::move(plan));
   }
@@ -112,6 +112,10 @@ void CandidatePlanner::choose_home(CandidatePlan& plan, const TaskSlot& slot, Fr
   for (int home = 0; home < layouts_.size(slot.simulator); ++home) {
     const auto& layout = layouts_.layout(slot.simulator, home);
     if (!layout) continue;
+    if (barren_.contains({plan.source, slot.simulator, home, plan.least})) {
+      plan.home = home;
+      continue;
+    }
     homes.push_back(home);
     // A home that lacks the fixed categories is tried last.
     const double fit = offers_all(*layout, configuration_.binding) ? 1 : 1e-9;
@@ -127,6 +131,7 @@ void CandidatePlanner::choose_home(CandidatePlan& plan, const TaskSlot& slot, Fr
     plan.home = homes[drawn];
     plan.binding = draw_binding(plan, slot, counts, rng.fork("binding", static_cast<std::uint64_t>(look)));
     if (plan.binding) return;
+    barren_.insert({plan.source, slot.simulator, plan.home, plan.least});
     homes.erase(homes.begin() + static_cast<std::ptrdiff_t>(drawn));
     weights.erase(weights.begin() + static_cast<std::ptrdiff_t>(drawn));
   }

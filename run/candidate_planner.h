@@ -2,7 +2,9 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "dataset/balance.h"
@@ -25,8 +27,9 @@ struct CandidatePlan {
 
 /// Chooses templates, homes and categories so that the data set is balanced over templates, categories, receptacles,
 /// rooms and homes: each is drawn by inverse frequency among the tasks taken so far and the candidates planned before
-/// it in the same round. A slot keeps its first template for a few attempts, then takes one that it has not tried; a
-/// slot of the Linguistic split keeps its phenomenon for a few templates, then takes its next.
+/// it in the same round. A slot keeps its first template for a few attempts, or until no home offers it a binding or it
+/// is dropped, then takes one that it has not tried; a slot of the Linguistic split keeps its phenomenon for a few
+/// templates, then takes its next.
 ///
 /// Plans depend on the configuration and on the earlier rounds only: equal rounds give equal plans for any threads.
 class CandidatePlanner {
@@ -34,6 +37,10 @@ class CandidatePlanner {
   /// The slots (a block's: numbered one after the other) and what they were planned from must outlive it.
   CandidatePlanner(const RunConfiguration& configuration, const Resources& resources, LayoutPool& layouts,
                    const std::vector<TaskSlot>& slots);
+
+  /// The last candidate of the slot was rejected for what the next one of its template would be rejected for, too: the
+  /// slot takes another template next.
+  void drop_template(int slot) { turn_of(slot).left = 0; }
 
   /// One candidate for each open slot, in ascending order. Rounds must be asked for in order of attempt, without gaps.
   std::vector<CandidatePlan> round(const std::vector<int>& open, int attempt, const Frequencies& taken);
@@ -54,6 +61,7 @@ class CandidatePlanner {
     std::vector<std::size_t> tried;  // templates, the current one included
     int drawn = 0;                   // templates so far
   };
+  Turn& turn_of(int slot) { return turns_[static_cast<std::size_t>(slot - slots_.front().index)]; }
   static std::optional<Style> style_of(const TaskSlot& slot, int drawn);
   std::size_t next_template(const TaskSlot& slot, Turn& turn, const Frequencies& counts, Rng rng) const;
   Grade least_of(const TaskSlot& slot, std::size_t source, int attempt) const;
@@ -72,6 +80,7 @@ class CandidatePlanner {
   Frequencies counts_;
   std::map<std::pair<Simulator, int>, int> tried_;  // candidates planned in a home in earlier rounds
   std::map<std::pair<Simulator, int>, RoomTypes> rooms_;
+  std::set<std::tuple<std::size_t, Simulator, int, Grade>> barren_;  // template, home and grade: no binding was found
 };
 
 }  // namespace unietp

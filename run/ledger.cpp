@@ -228,7 +228,7 @@ Result<std::vector<CandidateRecord>> Ledger::outlines(int first, int slots) {
   try {
     std::vector<CandidateRecord> records;
     auto query = file_.prepare(
-        "SELECT slot, attempt, accepted, template, start_key, text_key, traits FROM candidate "
+        "SELECT slot, attempt, accepted, template, start_key, text_key, traits, reason FROM candidate "
         "WHERE slot >= ? AND slot < ? ORDER BY attempt, slot");
     query.bind(1, std::int64_t{first});
     query.bind(2, std::int64_t{first} + slots);
@@ -241,6 +241,7 @@ Result<std::vector<CandidateRecord>> Ledger::outlines(int first, int slots) {
       record.start_key = query.text(4);
       record.text_key = query.text(5);
       record.traits = query.text(6);
+      record.rejection.reason = query.text(7);
       records.push_back(std::move(record));
     }
     return records;

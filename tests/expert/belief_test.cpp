@@ -1,5 +1,6 @@
 // The expert of M2: what it does follows from what it was told and has seen.
 #include <algorithm>
+#include <filesystem>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,6 +13,8 @@
 #include "expert/search_order.h"
 #include "expert/witness.h"
 #include "tests/expert/house.h"
+#include "tests/support/committed_knowledge.h"
+#include "tests/support/household.h"
 
 namespace unietp::testing {
 namespace {
@@ -25,6 +28,12 @@ void knife_in_fridge(Scene& scene) { move_to(scene, "knife_1", 4.4, 3.55, 0.9); 
 void mug_in_running_microwave(Scene& scene) {
   move_to(scene, "mug_1", 1.5, 3.65, 0.92);
   set_state(scene, "microwave_1", Predicate::PowerOn);
+}
+
+/// Who stands before the television has the lamp in reach and behind the shoulder.
+void lamp_beside_television(Scene& scene) {
+  move_to(scene, "lamp_1", 6.1, 2.9, 0);
+  set_state(scene, "television_1", Predicate::PowerOn);
 }
 
 const HouseCase kBeliefCases[] = {
@@ -43,6 +52,8 @@ const HouseCase kBeliefCases[] = {
      "(exists (?x - (Mug :where (exists (?m - Microwave) (inside ?x ?m)))) (at-end (held ?x)))",
      mug_in_running_microwave},
     {"every_mug", "(exists (?y - Fridge) (forall (?x - Mug) (at-end (inside ?x ?y))))"},
+    {"one_of_two_is_off_already", "(forall (?x - (either Lamp Television)) (at-end (power_off ?x)))",
+     lamp_beside_television},
     {"two_kinds",
      "(exists (?c - Fridge) (exists (?x - Mug) (exists (?y - Apple) (at-end (and (inside ?x ?c) (inside ?y ?c))))))"},
 };
@@ -192,6 +203,31 @@ TEST(SearchNeeds, TellWhatToLookForAndWhere) {
   }));
 }
 
+TEST(SearchNeeds, WhatIsNearAThingIsLookedForThere) {
+  const auto places_of_mugs = [](const std::string& text) {
+    std::vector<std::string> places;
+    for (const SearchNeed& need : search_needs(goal(text)).needs) {
+      if (need.categories.front() == "Mug") places.insert(places.end(), need.places.begin(), need.places.end());
+    }
+    return places;
+  };
+  EXPECT_THAT(places_of_mugs("(exists (?x - (Mug :where (exists (?y - Sink) (next_to ?x ?y)))) (at-end (held ?x)))"),
+              ElementsAre("Sink"));
+  EXPECT_THAT(places_of_mugs("(forall (?y - SideTable) (forall (?x - Mug) (at-end (not (on ?x ?y)))))"),
+              ElementsAre("SideTable"));
+}
+
+TEST(SearchNeeds, TheNearestIsLookedForAroundAThingAndElsewhere) {
+  for (const SearchNeed& need :
+       search_needs(goal("(exists (?x - (Mug :where (exists (?y - Sink) (nearest ?x ?y)))) (at-end (held ?x)))"))
+           .needs) {
+    if (need.categories.front() != "Mug") continue;
+    EXPECT_TRUE(need.every);
+    EXPECT_THAT(need.near, ElementsAre("Sink"));
+    EXPECT_THAT(need.places, IsEmpty());
+  }
+}
+
 TEST(SearchNeeds, OnlyWhatIsForbiddenKeepsSomethingShut) {
   EXPECT_THAT(search_needs(goal("(exists (?y - Fridge) (and (always (closed ?y)) (at-end (clean ?y))))")).shut,
               UnorderedElementsAre("Fridge"));
@@ -212,6 +248,8 @@ TEST(SearchNeeds, SlicesAskForSomethingToCutWith) {
   EXPECT_FALSE(asks_to_cut_apples("(exists (?s - Apple) (exists (?b - SideTable) (at-end (on ?s ?b))))"));
 }
 
+bool out_of_reach(const std::string& /*id*/) { return false; }
+
 struct LookingForAMug : ::testing::Test {
   const Knowledge knowledge = house_knowledge();
   const Profile profile = house_profile();
@@ -223,30 +261,88 @@ struct LookingForAMug : ::testing::Test {
 };
 
 TEST_F(LookingForAMug, BeginsWhereTheGoalSaysAndOpensWhatIsShut) {
-  const SearchOrder order(window.told(), knowledge, nullptr, {});
-  const auto look = order.next({{"Mug", {"Fridge"}, {}, false}}, belief, "");
+  const SearchOrder order(window.told(), knowledge, nullptr, {}, profile.turn_deg);
+  const auto look = order.next({{"Mug", {"Fridge"}, {}, false}}, belief, "", out_of_reach);
   ASSERT_TRUE(look);
   EXPECT_EQ(look->id, "fridge_1");
   EXPECT_TRUE(look->opens);
-  const SearchOrder shut(window.told(), knowledge, nullptr, {"Fridge"});
-  const auto other = shut.next({{"Mug", {"Fridge"}, {}, false}}, belief, "");
+  const SearchOrder shut(window.told(), knowledge, nullptr, {"Fridge"}, profile.turn_deg);
+  const auto other = shut.next({{"Mug", {"Fridge"}, {}, false}}, belief, "", out_of_reach);
   EXPECT_TRUE(!other || !other->opens || other->id != "fridge_1");
 }
 
+TEST_F(LookingForAMug, OpensFromWhereItStandsWhatIsInReach) {
+  SearchOrder order(window.told(), knowledge, nullptr, {}, profile.turn_deg);
+  for (const Node& node : window.told().nodes) {
+    if (node.id != "fridge_1") order.give_up(node.id);
+  }
+  for (const Room& room : window.told().rooms) order.give_up(room.id);
+  const auto far = order.next({{"Mug"}}, belief, "", out_of_reach);
+  ASSERT_TRUE(far);
+  EXPECT_TRUE(far->opens && !far->from_here);
+  const auto near = order.next({{"Mug"}}, belief, "", [](const std::string& id) { return id == "fridge_1"; });
+  ASSERT_TRUE(near);
+  EXPECT_TRUE(near->opens && near->from_here);
+}
+
+TEST_F(LookingForAMug, GoesUpToWhatItPeekedInto) {
+  SearchOrder order(window.told(), knowledge, nullptr, {}, profile.turn_deg);
+  const std::vector<SearchTarget> inside{{"Mug", {"Fridge"}, {}, false}};
+  Node open = *belief.find("fridge_1");
+  open.states.set({Predicate::Open, ""});
+  belief.see({open}, belief.scene().agent);
+  const double before = order.unseen_share(inside.front(), belief);
+  order.peeked_into("fridge_1");
+  const double peeked = order.unseen_share(inside.front(), belief);
+  EXPECT_LT(peeked, before);
+  EXPECT_EQ(order.next(inside, belief, "", out_of_reach)->id, "fridge_1");
+  order.looked_at("fridge_1", belief);
+  EXPECT_LT(order.unseen_share(inside.front(), belief), peeked);
+}
+
+TEST_F(LookingForAMug, LooksAtAPlaceFromOtherAnglesLater) {
+  const SearchOrder order(window.told(), knowledge, nullptr, {}, profile.turn_deg);
+  const Action go{ActionType::GoTo, {"sidetable_1"}};
+  EXPECT_THAT(order.way_to({"sidetable_1"}, ""), ElementsAre(go));
+  EXPECT_THAT(order.way_to({"sidetable_1"}, "sidetable_1"), IsEmpty());
+  EXPECT_THAT(order.way_to({"sidetable_1", false, 1}, ""), ElementsAre(go, Action{ActionType::LookDown, {}}));
+  EXPECT_THAT(order.way_to({"sidetable_1", false, 2}, ""), ElementsAre(go, Action{ActionType::LookUp, {}}));
+  EXPECT_THAT(order.way_to({"kitchen_1", false, 1, true}, "kitchen_1"),
+              ::testing::Each(Action{ActionType::TurnLeft, {}}));
+  EXPECT_THAT(order.way_to({"fridge_1", true, 0, false, true}, ""), IsEmpty());
+}
+
 TEST_F(LookingForAMug, GoesOnElsewhereOnceAPlaceWasLookedAt) {
-  SearchOrder order(window.told(), knowledge, nullptr, {});
+  SearchOrder order(window.told(), knowledge, nullptr, {}, profile.turn_deg);
   const std::vector<SearchTarget> mug{{"Mug"}};
   const double before = order.unseen_share(mug.front(), belief);
-  const auto first = order.next(mug, belief, "");
+  const auto first = order.next(mug, belief, "", out_of_reach);
   ASSERT_TRUE(first);
   order.looked_at(first->id, belief);
   EXPECT_LT(order.unseen_share(mug.front(), belief), before);
-  const auto second = order.next(mug, belief, "");
+  const auto second = order.next(mug, belief, "", out_of_reach);
   ASSERT_TRUE(second);
   EXPECT_TRUE(second->id != first->id || second->opens);
   order.give_up(second->id);
-  const auto third = order.next(mug, belief, "");
+  const auto third = order.next(mug, belief, "", out_of_reach);
   EXPECT_TRUE(!third || third->id != second->id);
+}
+
+/// With the tables of lived-in homes: balls lie on floors, spoons do not.
+TEST(SearchOrder, LooksOnTheFloorForWhatUsuallyLiesThere) {
+  const Knowledge& known = committed_knowledge(Simulator::Ai2thor);
+  const auto usual = read_household(std::filesystem::path(UNIETP_SOURCE_DIR) / "data" / "sense", known);
+  ASSERT_TRUE(usual);
+  Scene told;
+  told.simulator = Simulator::Ai2thor;
+  told.rooms = {{"living_room_1", "living_room", {{0, 0}, {4, 0}, {4, 4}, {0, 4}}}};
+  told.nodes.push_back(node_of(known, "shelf_1", "Shelf", 1, 1, 1));
+  told.nodes.push_back(node_of(known, "dining_table_1", "DiningTable", 3, 3, 0));
+  const unietp::Belief belief(told, {}, {});
+  SearchOrder order(told, known, &*usual, {}, 90);
+  for (int look = 0; look < 4; ++look) order.looked_at("living_room_1", belief);
+  EXPECT_LT(order.unseen_share({"BasketBall"}, belief), 0.9);
+  EXPECT_GT(order.unseen_share({"Spoon"}, belief), 0.95);
 }
 
 TEST(BeliefOfFurniture, IsWhatTheGoalPresupposesUntilItIsSeen) {

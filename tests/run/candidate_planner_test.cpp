@@ -116,6 +116,42 @@ TEST(CandidatePlanner, ASlotKeepsTheTemplateDealtToItForAWhileAndThenTriesAnothe
   }
 }
 
+TEST(CandidatePlanner, ASlotTakesAnotherTemplateWhenItsOwnIsDropped) {
+  auto configuration = small_homes(1);
+  configuration.simulators = {Simulator::Habitat};
+  configuration.splits = {Split::Atomic};
+  const auto slots = plan_slots(configuration, committed());
+  ASSERT_TRUE(slots);
+  LayoutPool layouts(configuration, committed(), 1);
+  CandidatePlanner planner(configuration, committed(), layouts, *slots);
+  const auto first = planner.round({0}, 0, {}).front().source;
+  planner.drop_template(0);
+  EXPECT_NE(planner.round({0}, 1, {}).front().source, first);
+}
+
+TEST(CandidatePlanner, ASlotTakesAnotherTemplateWhenNoHomeOffersItABinding) {
+  auto configuration = small_homes(1);
+  configuration.simulators = {Simulator::Ai2thor};
+  configuration.splits = {Split::Atomic};
+  configuration.sense = Grade::Senseless;
+  configuration.binding = {{"A", "Book"}};  // can be put, but not switched
+  const auto slots = plan_slots(configuration, committed());
+  ASSERT_TRUE(slots);
+  LayoutPool layouts(configuration, committed(), 2);
+  CandidatePlanner planner(configuration, committed(), layouts, *slots);
+  int without = 0;
+  std::optional<std::size_t> futile;
+  for (int attempt = 0; attempt < 12; ++attempt) {
+    const auto plan = planner.round({0}, attempt, {}).front();
+    if (futile) {
+      EXPECT_NE(plan.source, *futile) << attempt;
+    }
+    futile = plan.binding ? std::nullopt : std::optional(plan.source);
+    without += futile ? 1 : 0;
+  }
+  EXPECT_GT(without, 1);
+}
+
 TEST(CandidatePlanner, KeepsTheCategoriesThatWereGiven) {
   auto configuration = small_homes(4);
   configuration.simulators = {Simulator::Ai2thor};

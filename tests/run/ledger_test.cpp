@@ -71,6 +71,7 @@ TEST_F(LedgerFile, GivesBackWhatItWasGivenAfterReopening) {
   ASSERT_EQ(outlines->size(), 1U);
   EXPECT_EQ(outlines->front().text_key, "text");
   EXPECT_EQ(outlines->front().task, WrittenTask());
+  EXPECT_EQ(outlines->front(), outline_of(full_record()));
 }
 
 TEST_F(LedgerFile, KeepsAHomeOnce) {
