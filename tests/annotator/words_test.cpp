@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "annotator/naming.h"
 #include "annotator/words_for_writing.h"
 
 namespace unietp {
@@ -32,6 +33,14 @@ TEST(Words, OfFormsThatBeginAlikeTheLongerIsTriedFirst) {
         EXPECT_FALSE(forms[k].words.starts_with(std::string(forms[i].words) + " ")) << forms[k].words;
     }
   }
+}
+
+TEST(Words, NumbersUpToTwelveAreWordsAndOthersDigits) {
+  EXPECT_EQ(number_word(0), "zero");
+  EXPECT_EQ(number_word(2), "two");
+  EXPECT_EQ(number_word(12), "twelve");
+  EXPECT_EQ(number_word(13), "13");
+  EXPECT_EQ(number_word(-1), "-1");
 }
 
 TEST(Words, AVerbMayHaveWordsAfterItsObject) {

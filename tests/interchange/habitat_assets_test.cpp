@@ -124,6 +124,13 @@ TEST(HabitatAssets, EqualThingsShareAStandIn) {
   EXPECT_NE(habitat_stand_in_name(one), habitat_stand_in_name(other));
 }
 
+TEST(HabitatAssets, AConfigurationTellsTheMassAndKeepsThePartsOfHollowThingsApart) {
+  const Json config = Json::parse(habitat_stand_in(mug())[0].content);
+  EXPECT_EQ(config["mass"], 0.3);
+  EXPECT_EQ(config["use_mesh_collision"], true);
+  EXPECT_EQ(config["join_collision_meshes"], false) << "joined ones become one convex hull, which nothing goes into";
+}
+
 TEST(HabitatAssets, MeshesStandUprightWithTheirFrontsAlongMinusZ) {
   Node node = mug();
   node.archetype = Archetype::Box, node.size = {0.2, 0.4, 0.6};  // width, depth, height
@@ -159,6 +166,8 @@ TEST(HabitatAssets, NamesAreNamesOfFilesWhateverTheCategory) {
   node.category = "../../etc/pass wd", node.material = "steel/zinc";
   EXPECT_THAT(habitat_stand_in_name(node), Not(HasSubstr("/")));
   EXPECT_THAT(habitat_stand_in_name(node), Not(HasSubstr(".")));
+  node.category = "TeaMug7";
+  EXPECT_THAT(habitat_stand_in_name(node), HasSubstr("TeaMug7"));
 }
 
 TEST(HabitatAssets, AHomeHasAStageAndAModelForEveryNode) {

@@ -79,6 +79,8 @@ TEST(TellingOrder, IsByRoomAndSaysNothingOfTheOrderInTheScene) {
   };
   const auto order = told(scene);
   EXPECT_EQ(order.back(), "in_no_room_7");
+  EXPECT_EQ(order.size(), scene.nodes.size());
+  EXPECT_EQ(in_telling_order(scene).rooms.size(), scene.rooms.size());
   const auto in_kitchen = [](const std::string& id) { return id == "mug_1" || id == "pan_3" || id == "plate_5"; };
   EXPECT_TRUE(std::is_partitioned(order.begin(), order.begin() + 6, in_kitchen) ||
               std::is_partitioned(order.rend() - 6, order.rend(), in_kitchen));
