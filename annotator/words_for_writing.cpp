@@ -79,7 +79,7 @@ constexpr EverydayRow kEverydayRows[] = {
     {P::PowerOff, {"turn off {s}", "turn {s} off"}},
     {P::Clean, {"wash {s}", "clean {s}"}},
     {P::Hot, {"heat {s}", "heat up {s}", "warm up {s}"}},
-    {P::Cool, {"chill {s}", "cool {s}", "cool down {s}"}},
+    {P::Cool, {"chill {s}"}},
     {P::Thawed, {"defrost {s}", "thaw {s}"}},
     {P::Sliced, {"slice {s}", "cut {s} into slices"}},
     {P::Empty, {"empty {s}"}},

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <nlohmann/json.hpp>
+
 #include "exports/ai2thor_words.h"
 #include "exports/ltlf_formula.h"
 #include "interchange/formats.h"
@@ -207,7 +209,6 @@ Result<ThorGoal> thor_goal(const FinishedTask& task, ThorNames names, const std:
   if (!ltlf) return ltlf.error();
   ThorGoal made;
   made.formula = std::move(ltlf->formula);
-  made.propositions = Json::array();
   const TestWriter tests(with_pieces, names, knowledge);
   for (const auto& one : ltlf->propositions) {
     const auto test = tests.test_of(one, trace.states.front());

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "akb/knowledge.h"
 #include "exports/ai2thor_plan.h"
@@ -16,8 +16,9 @@ namespace unietp {
 
 /// A goal that AI2-THOR's metadata decides.
 struct ThorGoal {
-  std::string formula;                          // as LTLf (ltlf_formula.h) has it
-  nlohmann::ordered_json propositions;          // `{"name", "predicate", "arguments", "test"}` for each that it names
+  std::string formula;  // as LTLf (ltlf_formula.h) has it
+  std::vector<nlohmann::ordered_json>
+      propositions;                             // `{"name", "predicate", "arguments", "test"}` for each that it names
   std::vector<nlohmann::ordered_json> holding;  // for the start and after each step, names of those that hold
   std::set<std::string> objects;                // ids of the objects that it names
 };
