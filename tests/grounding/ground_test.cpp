@@ -171,6 +171,18 @@ TEST_F(Ground, RejectsWithAReasonFromTheClosedList) {
             "part-of-goal-holds-at-start");
 }
 
+TEST_F(Ground, RejectsAStartThatIsNestedTooDeepToBeMade) {
+  std::string shallow = "(dirty ?a)", deep = shallow;
+  for (int i = 0; i < 4; ++i) shallow = "(not " + shallow + ")";
+  for (int i = 0; i < 16; ++i) deep = "(not " + deep + ")";
+  EXPECT_EQ(reason(specification(kHoldAMug, {"(exists (?a - Mug) " + shallow + ")"})), "accepted");
+  const auto refused = grounded(specification(kHoldAMug, {"(exists (?a - Mug) " + deep + ")"}));
+  const auto* rejection = std::get_if<Rejection>(&refused);
+  ASSERT_NE(rejection, nullptr);
+  EXPECT_EQ(rejection->reason, RejectionReason::CannotEnforce);
+  EXPECT_NE(rejection->detail.find("is nested too deep"), std::string::npos) << rejection->detail;
+}
+
 TEST_F(Ground, RejectsAGoalAboutNothing) {
   std::string absent;
   for (const Category& category : style_->knowledge.categories()) {
