@@ -43,21 +43,25 @@ const Category* whole_of(const std::string& piece, const Knowledge& knowledge) {
   return nullptr;
 }
 
-/// AI2-THOR has no models of pieces: the whole stands where a piece lies, unless that is inside something.
+/// AI2-THOR has no models of pieces: the whole stands where a piece lies, unless that is inside a smaller thing.
 Result<ThorHouse> write_house(const Scene& start, const Knowledge& knowledge, const FormatFacts& facts) {
   Scene scene = start;
   std::map<std::string, std::string> pieces;  // category by id
   for (const Node& node : start.nodes) {
     const Category* const whole = whole_of(node.category, knowledge);
-    const bool inside = std::any_of(start.edges.begin(), start.edges.end(), [&](const Edge& edge) {
-      return edge.relation == Predicate::Inside && edge.from == node.id;
+    if (whole == nullptr || !knowledge.asset_rows_of(node.category).empty()) continue;
+    const bool too_large = std::any_of(start.edges.begin(), start.edges.end(), [&](const Edge& edge) {
+      if (edge.relation != Predicate::Inside || edge.from != node.id) return false;
+      const Node* const place = find_node(start, edge.to);
+      return place == nullptr || (whole->size.head<2>().array() > place->size.head<2>().array()).any();
     });
-    if (whole == nullptr || inside || !knowledge.asset_rows_of(node.category).empty()) continue;
+    if (too_large) continue;
     pieces[node.id] = node.category;
     Node& stands = *edit_node(scene, node.id);
     stands.category = whole->name;
     stands.archetype = whole->archetype;
     stands.asset.clear();
+    stands.boards.clear();
     stands.pose.position.z() += (whole->size.z() - node.size.z()) / 2;
     stands.size = whole->size;
   }
@@ -116,7 +120,10 @@ Result<Json> task_json(const FinishedTask& task, ThorHouse& made, const Knowledg
     }
   }
   const FinishedTask theirs = in_house(task, names);
-  const auto goal = thor_goal(theirs, names, knowledge);
+  const DemonstrationRecord& shown = theirs.shown.at(Mode::M1);
+  auto plan = thor_plan(shown, theirs.start, names);
+  if (!plan) return plan.error();
+  const auto goal = thor_goal(theirs, names, thor_pieces(theirs, names, made.wholes, knowledge), knowledge);
   if (!goal) return goal.error();
   used.insert(goal->objects.begin(), goal->objects.end());
   auto start = thor_start(theirs.start, names, used, house.left_out);
@@ -126,9 +133,6 @@ Result<Json> task_json(const FinishedTask& task, ThorHouse& made, const Knowledg
     const Json one{{"unless", *thor_test({Predicate::Sliced, ""}, whole)}, {"call", cut}};
     start->insert(start->begin(), one);
   }
-  const DemonstrationRecord& shown = theirs.shown.at(Mode::M1);
-  auto plan = thor_plan(shown, theirs.start, names);
-  if (!plan) return plan.error();
   std::size_t at = 0;
   for (std::size_t i = 0; i < shown.steps.size(); ++i) {
     if (shown.steps[i].success && shown.steps[i].command.action != "stop")

@@ -24,7 +24,13 @@ class TestWriter {
     if (one.meaning == Predicate::InRoom) return in_room(first, one.arguments[1]);
     const auto name = names_.find(first);
     if (name == names_.end()) return thor_lacks(first + " is not in the house");
+    const Json there{{"objectId", name->second}, {"key", "objectId"}, {"equals", name->second}};
+    if (one.presence) return there;
     switch (one.meaning) {
+      case Predicate::SliceOf: {
+        const Node* const piece = find_node(start_, first);
+        return piece != nullptr && piece->slice_of == one.arguments[1] ? there : Json{{"always", false}};
+      }
       case Predicate::Colour:
       case Predicate::Material:
       case Predicate::Size:
@@ -80,25 +86,89 @@ class TestWriter {
   const Knowledge& knowledge_;
 };
 
+/// The states of the demonstration, in each of which the pieces exist that have been cut.
+Trace trace_with(const std::vector<ThorPiece>& pieces, Scene start, const std::vector<Delta>& changes,
+                 bool with_comparisons) {
+  std::map<std::string, std::size_t> first_state;  // of the pieces that the demonstration cuts
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    for (const Node& node : changes[i].nodes) first_state.emplace(node.id, i + 1);
+  }
+  for (const ThorPiece& piece : pieces) start.nodes.push_back(piece.node);
+  Trace trace = to_logic(start, changes, with_comparisons);
+  for (const ThorPiece& piece : pieces) {
+    const auto from = first_state.find(piece.node.id);
+    for (std::size_t i = 0; i < trace.entities.size(); ++i) {
+      if (trace.entities[EntityIndex(i)].id != piece.node.id) continue;
+      for (std::size_t state = 0; state < trace.states.size(); ++state) {
+        if (from == first_state.end() || state < from->second) trace.states[state].forget(EntityIndex(i));
+      }
+    }
+  }
+  return trace;
+}
+
 }  // namespace
 
-Result<ThorGoal> thor_goal(const FinishedTask& task, const ThorNames& names, const Knowledge& knowledge) {
+std::vector<ThorPiece> thor_pieces(const FinishedTask& task, const ThorNames& names,
+                                   const std::map<std::string, std::string>& wholes, const Knowledge& knowledge) {
+  constexpr int kPieces = 10;  // a loaf of bread has this many, others fewer
+  std::vector<ThorPiece> pieces;
+  std::set<std::string> known;
+  for (const auto& [id, name] : names) known.insert(name);
+  for (const auto& step : task.shown.at(Mode::M1).steps) {
+    for (const Node& node : step.changes.nodes) {
+      const bool is_new =
+          find_node(task.start, node.id) == nullptr &&
+          std::none_of(pieces.begin(), pieces.end(), [&](const ThorPiece& one) { return one.node.id == node.id; });
+      if (is_new && !node.slice_of.empty()) pieces.push_back({node, names.at(node.id)});
+    }
+  }
+  const auto add = [&](const Node& whole, const std::string& piece_category, const std::string& object) {
+    for (int n = 0; n < kPieces; ++n) {
+      ThorPiece piece;
+      piece.objectId = object + "|" + piece_category + "_" + std::to_string(n);
+      if (known.contains(piece.objectId)) continue;
+      piece.node.id = whole.id + "_piece_" + std::to_string(n);
+      piece.node.category = piece_category;
+      piece.node.movable = true;
+      piece.node.size = Vec3::Constant(0.01);
+      const bool cut_at_start = whole.category == piece_category;
+      piece.node.slice_of = cut_at_start ? whole.slice_of : whole.id;
+      piece.node.whole_category = cut_at_start ? whole.whole_category : whole.category;
+      pieces.push_back(std::move(piece));
+    }
+  };
+  for (const Node& node : task.start.nodes) {
+    if (const auto cut = wholes.find(node.id); cut != wholes.end()) add(node, node.category, cut->second);
+    const auto cuts = knowledge.effects_on(node.category, Treatment::Slices);
+    if (!cuts.empty()) add(node, cuts.front()->gives, names.at(node.id));
+  }
+  return pieces;
+}
+
+Result<ThorGoal> thor_goal(const FinishedTask& task, ThorNames names, const std::vector<ThorPiece>& pieces,
+                           const Knowledge& knowledge) {
   const Formula& goal = task.record.goal_tree;
-  if (ranges_over_later_pieces(goal, task.start, knowledge))
-    return thor_lacks("its goal ranges over pieces that do not exist at the start");
   std::vector<Delta> changes;
   for (const auto& step : task.shown.at(Mode::M1).steps) changes.push_back(step.changes);
   const bool with_comparisons = reads_comparisons(goal);
-  const Trace start = to_logic(task.start, {}, with_comparisons);
-  const Trace trace = to_logic(task.start, changes, with_comparisons);
-  if (holds(goal, start)) return thor_lacks("among what is in the house its goal holds at the start");
-  if (!holds(goal, trace)) return thor_lacks("among what is in the house the demonstration does not reach its goal");
-  auto ltlf = ltlf_goal(goal, start);
+  if (holds(goal, to_logic(task.start, {}, with_comparisons)))
+    return thor_lacks("among what is in the house its goal holds at the start");
+  if (!holds(goal, to_logic(task.start, changes, with_comparisons)))
+    return thor_lacks("among what is in the house the demonstration does not reach its goal");
+  Scene with_pieces = task.start;
+  for (const ThorPiece& piece : pieces) {
+    with_pieces.nodes.push_back(piece.node);
+    names[piece.node.id] = piece.objectId;
+  }
+  const Trace trace = trace_with(pieces, task.start, changes, with_comparisons);
+  const Trace all = to_logic(with_pieces, {}, with_comparisons);
+  auto ltlf = ltlf_goal(goal, Trace{trace.entities, {trace.states.front(), all.states.front()}});
   if (!ltlf) return ltlf.error();
   ThorGoal made;
   made.formula = std::move(ltlf->formula);
   made.propositions = Json::array();
-  const TestWriter tests(task.start, names, knowledge);
+  const TestWriter tests(with_pieces, names, knowledge);
   for (const auto& one : ltlf->propositions) {
     const auto test = tests.test_of(one, trace.states.front());
     if (!test) return test.error();

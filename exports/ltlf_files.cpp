@@ -14,6 +14,14 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
+/// Whether cutting something in the scene gives objects of this category, which are then not in the start.
+bool made_by_cutting(const std::string& category, const Scene& start, const Knowledge& knowledge) {
+  return std::any_of(start.nodes.begin(), start.nodes.end(), [&](const Node& node) {
+    const auto cuts = knowledge.effects_on(node.category, Treatment::Slices);
+    return std::any_of(cuts.begin(), cuts.end(), [&](const Effect* cut) { return cut->gives == category; });
+  });
+}
+
 /// Names of the propositions that hold in each state of a demonstration, the start first.
 Json trace_of(const FinishedTask& task, const DemonstrationRecord& demonstration, const LtlfGoal& goal,
               bool with_comparisons) {
@@ -32,8 +40,10 @@ Json trace_of(const FinishedTask& task, const DemonstrationRecord& demonstration
 
 /// A line of goals.jsonl, or why LTLf cannot express the task.
 Result<std::string> goal_line(const FinishedTask& task, const std::vector<Mode>& modes, const Knowledge& knowledge) {
-  if (ranges_over_later_pieces(task.record.goal_tree, task.start, knowledge))
-    return Error{Error::Kind::Unsatisfiable, "", {}, "it ranges over pieces that do not exist at the start"};
+  for (const auto& category : categories_of(task.record.goal_tree)) {
+    if (made_by_cutting(category, task.start, knowledge))
+      return Error{Error::Kind::Unsatisfiable, "", {}, "it ranges over pieces that do not exist at the start"};
+  }
   const bool with_comparisons = reads_comparisons(task.record.goal_tree);
   const auto goal = ltlf_goal(task.record.goal_tree, to_logic(task.start, {}, with_comparisons));
   if (!goal) return goal.error();

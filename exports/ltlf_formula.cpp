@@ -48,7 +48,11 @@ std::string name_part(const std::string& id) {
 
 class LtlfWriter {
  public:
-  explicit LtlfWriter(const Trace& start) : start_(start) {}
+  explicit LtlfWriter(const Trace& start) : start_(start) {
+    for (std::size_t i = 0; i < start.entities.size(); ++i) {
+      knows_later_ = knows_later_ || !start.states.front().exists(EntityIndex(i));
+    }
+  }
 
   Result<LtlfGoal> run(const Formula& goal) {
     LtlfGoal made{node(goal), {}};
@@ -128,16 +132,28 @@ class LtlfWriter {
       return {};
     }
     for (const auto& member : f.domain.members) {
-      if (member.slice) refuse("it ranges over pieces that do not exist at the start");
+      if (member.slice && !knows_later_) refuse("it ranges over pieces that do not exist at the start");
     }
     Texts bodies;
     for (const EntityIndex entity : members_of(f.domain, f.variable, start_, bound_)) {
       if (!why_.empty()) return {};
       bound_.emplace_back(f.variable, entity);
-      bodies.push_back(node(f.children[0]));
+      bodies.push_back(once_there(entity, node(f.children[0]), f.op == Op::Forall));
       bound_.pop_back();
     }
     return bodies;
+  }
+
+  /// A body about something that exists, or comes to.
+  std::string once_there(EntityIndex entity, const std::string& body, bool of_all) {
+    if (start_.states.front().exists(entity)) return body;
+    LtlfProposition there;
+    there.presence = true;
+    there.predicate = "exists";
+    there.arguments = {start_.entities[entity].id};
+    there.entities = {entity};
+    const std::string comes = unary("F", proposition(std::move(there)), "");
+    return of_all ? any_of({negated(comes), body}) : all_of({comes, body});
   }
 
   /// At least `n` of the formulas from position `at` on.
@@ -198,7 +214,6 @@ class LtlfWriter {
     LtlfProposition made;
     made.meaning = f.predicate;
     made.predicate = info(f.predicate).name;
-    std::string name = name_part(made.predicate);
     for (const auto& term : f.terms) {
       if (term.kind == Term::Kind::Symbol) {
         made.arguments.push_back(term.name);
@@ -206,8 +221,14 @@ class LtlfWriter {
         made.entities.push_back(entity_of(term));
         made.arguments.push_back(start_.entities[made.entities.back()].id);
       }
-      name += "_" + name_part(made.arguments.back());
     }
+    return proposition(std::move(made));
+  }
+
+  /// The name of a proposition, which it gets here.
+  std::string proposition(LtlfProposition made) {
+    std::string name = name_part(made.predicate);
+    for (const auto& argument : made.arguments) name += "_" + name_part(argument);
     for (int n = 2;; ++n) {  // two ids may differ only in signs that a name cannot have
       made.name = name;
       const auto [place, is_new] = propositions_.emplace(made.name, made);
@@ -218,6 +239,7 @@ class LtlfWriter {
   }
 
   const Trace& start_;
+  bool knows_later_ = false;  // what will come
   Assignment bound_;
   std::map<std::string, LtlfProposition> propositions_;
   std::string why_;  // the first reason
@@ -226,21 +248,11 @@ class LtlfWriter {
 }  // namespace
 
 bool LtlfProposition::holds_in(const Facts& facts) const {
-  if (!facts.exists(entities.front())) return false;
+  if (presence || !facts.exists(entities.front())) return facts.exists(entities.front());
   if (entities.size() == 2) return facts.exists(entities[1]) && facts.holds(meaning, entities[0], entities[1]);
   return arguments.size() == 2 ? facts.holds(meaning, entities[0], arguments[1]) : facts.holds(meaning, entities[0]);
 }
 
 Result<LtlfGoal> ltlf_goal(const Formula& goal, const Trace& start) { return LtlfWriter(start).run(goal); }
-
-bool ranges_over_later_pieces(const Formula& goal, const Scene& start, const Knowledge& knowledge) {
-  for (const std::string& category : categories_of(goal)) {
-    for (const Node& node : start.nodes) {
-      const auto cuts = knowledge.effects_on(node.category, Treatment::Slices);
-      if (std::any_of(cuts.begin(), cuts.end(), [&](const Effect* cut) { return cut->gives == category; })) return true;
-    }
-  }
-  return false;
-}
 
 }  // namespace unietp

@@ -4,11 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "akb/knowledge.h"
 #include "core/result.h"
 #include "logic/formula.h"
 #include "logic/trace.h"
-#include "scene/scene.h"
 
 namespace unietp {
 
@@ -19,6 +17,7 @@ struct LtlfProposition {
   std::vector<std::string> arguments;  // ids of objects and rooms, "agent", or a word such as "water"
   /// Whether it holds in a state of a trace that begins with the start that the goal was grounded in.
   bool holds_in(const Facts& facts) const;
+  bool presence = false;  // that the first argument exists, of which no predicate tells
   Predicate meaning = Predicate::Open;
   std::vector<EntityIndex> entities;  // of the arguments; a word has none
 };
@@ -30,13 +29,11 @@ struct LtlfGoal {
 };
 
 /// A goal as a propositional formula of linear temporal logic on finite traces: every quantifier and count is written
-/// out over the objects of the start. `start`: a trace of the start state alone, with comparisons. No `next` and no
-/// `last` is used, since tools differ in these: "f at the end" is G(F(f)). Equal goals and starts give equal text.
-/// Errors: Unsatisfiable with the reason, where the goal ranges over objects that the start does not have yet, or the
-/// formula would be longer than 100,000 characters.
+/// out over the objects of the start. `start`: a trace of the start state, with comparisons; entities that exist only
+/// in further states of it may come later, and a quantifier ranges over those that come. No `next` and no `last` is
+/// used, since tools differ in these: "f at the end" is G(F(f)). Equal goals and starts give equal text. Errors:
+/// Unsatisfiable with the reason, where the goal ranges over objects that the start does not have yet, or the formula
+/// would be longer than 100,000 characters.
 Result<LtlfGoal> ltlf_goal(const Formula& goal, const Trace& start);
-
-/// Whether a quantifier ranges over a category of which there are new objects once something in the scene is cut.
-bool ranges_over_later_pieces(const Formula& goal, const Scene& start, const Knowledge& knowledge);
 
 }  // namespace unietp

@@ -202,13 +202,14 @@ class Episode:
         return bool(self.trace) and self.formula(self.trace, 0)
 
     def differences(self) -> list[Json]:
-        """Where the trace of the demonstration is other than in our physics."""
+        """Where the trace of the demonstration is other than in our physics, but for how many pieces a cut makes."""
+        pieces = {one["name"] for one in self.task["goal"]["propositions"] if one["predicate"] == "exists"}
         ours = [self.task["goal"]["holds"], *(step["holds"] for step in self.task["plan"])]
         return [
             {"step": i, "proposition": name, "value": value}
             for i, (state, holding) in enumerate(zip(self.trace, ours, strict=False))
             for name, value in state.items()
-            if value != (name in holding)
+            if value != (name in holding) and name not in pieces
         ]
 
     def _now(self) -> Metadata:

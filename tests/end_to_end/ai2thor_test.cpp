@@ -123,7 +123,8 @@ TEST_F(ExportAi2thor, TheAgentStandsInARoom) {
     for (const auto& task : tasks_in(out)) {
       SCOPED_TRACE(task);
       const Json house = json_of(out / (task + ".house.json"));
-      for (const auto& step : json_of(out / (task + ".json"))["plan"]) {
+      const Json json = json_of(out / (task + ".json"));
+      for (const auto& step : json["plan"]) {
         for (const auto& call : step["calls"]) {
           if (!call.contains("position")) continue;
           const double x = call["position"]["x"], z = call["position"]["z"];

@@ -45,6 +45,26 @@ TEST(Ltlf, RandomGoalsMeanTheSameOnRandomTraces) {
   EXPECT_LT(satisfied, compared - 50);
 }
 
+/// Also of what appears later and is gone again.
+TEST(Ltlf, GoalsAboutWhatComesLaterMeanTheSame) {
+  int compared = 0, later = 0, satisfied = 0;
+  for (std::uint64_t seed = 0; seed < 6000; ++seed) {
+    SCOPED_TRACE(seed);
+    const Trace trace = random_trace(Rng(seed).fork("trace", 0));
+    const Formula goal = GoalWriter(Rng(seed).fork("goal", 0)).goal();
+    const auto ltlf = ltlf_goal(goal, trace);
+    if (!ltlf) continue;
+    const bool expected = holds(goal, trace);
+    ASSERT_EQ(ltlf_holds(ltlf->formula, named(*ltlf, trace)), expected) << to_text(goal) << "\n" << ltlf->formula;
+    ++compared;
+    later += ltlf->formula.find("exists_") != std::string::npos ? 1 : 0;
+    satisfied += expected ? 1 : 0;
+  }
+  EXPECT_GT(compared, 300);
+  EXPECT_GT(later, 30);
+  EXPECT_GT(satisfied, 50);
+}
+
 Trace three_mugs() {
   using Kind = Entity::Kind;
   Trace trace;

@@ -1,0 +1,152 @@
+"""The runner of tasks for AI2-THOR, against a stand-in for its controller."""
+
+import copy
+import importlib.util
+import json
+import subprocess
+import sys
+from pathlib import Path
+from types import ModuleType
+
+import pytest
+from simulated_thor import SimulatedThor
+
+from unietp.program import run_program
+
+PYTHON = Path(__file__).parents[1]
+HOUSES = PYTHON.parent / "tests" / "end_to_end" / "homes" / "houses.procthor.jsonl"
+
+
+def load_runner() -> ModuleType:
+    spec = importlib.util.spec_from_file_location("run_ai2thor", PYTHON / "adapters" / "run_ai2thor.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+runner = load_runner()
+
+
+@pytest.fixture(scope="module")
+def tasks(tmp_path_factory) -> Path:
+    """Tasks in two houses of ProcTHOR, exported."""
+    folder = tmp_path_factory.mktemp("ai2thor")
+    for arguments in (
+        ["scene", "import", "auto", HOUSES, "--out", folder / "homes"],
+        ["generate", "--count", 16, "--seed", 5, "--simulators", "ai2thor", "--scenes", folder / "homes", "--modes", "M1",
+         "--out", folder / "tasks"],
+        ["export", folder / "tasks", "--format", "ai2thor", "--out", folder / "out"],
+    ):
+        run_program(*map(str, arguments))
+    return folder / "out"
+
+
+def names_in(tasks: Path) -> list[str]:
+    return sorted(one.stem for one in tasks.glob("*.json") if not one.name.endswith(".house.json"))
+
+
+def test_every_demonstration_reaches_its_goal(tasks, tmp_path):
+    out = tmp_path / "results.jsonl"
+    assert runner.main([str(tasks), "--out", str(out)], SimulatedThor) == 0
+    lines = [json.loads(line) for line in out.read_text().splitlines()]
+    assert [line["task"] for line in lines] == names_in(tasks)
+    assert len(lines) >= 14
+    for line in lines:
+        assert line["success"] and line["failed"] is None and line["moved"] == [] and line["differences"] == [], line
+
+
+def test_without_the_plan_no_goal_holds(tasks):
+    for name in names_in(tasks):
+        episode = runner.Episode(*runner.read_task(tasks, name), SimulatedThor())
+        assert episode.start()
+        assert not episode.success(), name
+
+
+def test_a_call_that_fails_ends_the_episode_with_its_message(tasks):
+    task, house = runner.read_task(tasks, names_in(tasks)[0])
+    task["plan"][-1]["calls"] = [{"action": "OpenObject", "objectId": "Nothing|1"}]
+    line = runner.run(task, house, SimulatedThor())
+    assert not line["success"]
+    assert line["failed"]["call"] == {"action": "OpenObject", "objectId": "Nothing|1"}
+    assert line["failed"]["message"] == "no object Nothing|1"
+    assert line["steps"] == len(task["plan"]) - 1
+    task["plan"][0]["calls"] = [{"action": "FlyToTheMoon"}]
+    assert runner.run(task, house, SimulatedThor())["failed"]["message"] == "unknown action FlyToTheMoon"
+
+
+class Narrow(SimulatedThor):
+    """The agent can stand nowhere but at one pose."""
+
+    def _Teleport(self, position, **_):
+        return "no room to stand"
+
+    def _GetInteractablePoses(self, objectId, standings):
+        return None
+
+    def _event(self, message, returned=None):
+        poses = [{"x": 9.0, "y": 0.9, "z": 9.0, "rotation": 0.0, "standing": True, "horizon": 0.0}]
+        return super()._event(message, poses if self.calls and self.calls[-1]["action"] == "GetInteractablePoses" else returned)
+
+    def _TeleportFull(self, x, y, z, rotation, standing, horizon):
+        self.agent = {"position": {"x": x, "y": y, "z": z}}
+
+
+class NarrowAfterTheStart(Narrow):
+    def _Teleport(self, position, **_):
+        first = sum(call["action"] == "Teleport" for call in self.calls) == 1
+        return None if first else "no room to stand"
+
+
+def test_a_pose_without_room_is_replaced_by_one_from_which_the_object_can_be_handled(tasks):
+    name = next(name for name in names_in(tasks) if runner.read_task(tasks, name)[0]["plan"][0]["step"].startswith("go_to"))
+    task, house = runner.read_task(tasks, name)
+    line = runner.run(task, house, NarrowAfterTheStart())
+    assert line["success"] and line["moved"]
+    line = runner.run(task, house, Narrow())
+    assert line["failed"]["step"] == "start" and line["failed"]["message"] == "no room to stand"
+
+
+def test_a_difference_from_our_physics_is_told(tasks):
+    for name in names_in(tasks):
+        task, house = runner.read_task(tasks, name)
+        if "place_on" not in task["plan"][-1]["step"] or not task["plan"][-1]["holds"]:
+            continue
+        changed = copy.deepcopy(task)
+        changed["plan"][-1]["calls"] = [{"action": "DropHandObject"}]
+        line = runner.run(changed, house, SimulatedThor())
+        assert not line["success"]
+        assert {"step": len(task["plan"]), "proposition": task["plan"][-1]["holds"][0], "value": False} in line["differences"]
+        return
+    pytest.fail("no task ends with putting something on something")
+
+
+@pytest.mark.parametrize(
+    ("formula", "trace", "expected"),
+    [
+        ("G(F(a))", [[], ["a"]], True),
+        ("G(F(a))", [["a"], []], False),
+        ("(!(b)) U ((a) & (!(b)))", [[], ["a"], ["b"]], True),
+        ("((!(b)) U ((a) & (!(b)))) & (F(b))", [["b"], ["a"]], False),
+        ("(a) | (b) | (F(true))", [[]], True),
+        ("(false) | (!(a))", [["a"]], False),
+    ],
+)
+def test_formulas(formula, trace, expected):
+    states = [{name: name in state for name in "ab"} for state in trace]
+    assert runner.read_formula(formula)(states, 0) is expected
+
+
+def test_what_is_no_formula_is_refused():
+    with pytest.raises(ValueError, match="not a formula"):
+        runner.read_formula("a -> b")
+
+
+def test_the_runner_agrees_with_its_types(tmp_path):
+    pytest.importorskip("mypy")
+    configuration = PYTHON.parent / "pyproject.toml"
+    done = subprocess.run(
+        [sys.executable, "-m", "mypy", "--config-file", configuration, "--cache-dir", tmp_path / "cache",
+         PYTHON / "adapters" / "run_ai2thor.py"],
+        cwd=tmp_path, capture_output=True, text=True,
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
