@@ -241,21 +241,30 @@ class Episode:
             arguments["objectId"] = self._now().part_of(call["objectId"], call["part"])
         message = self._step(arguments)
         if message is not None:
-            target = call.get("near", arguments.get("objectId"))
-            if step != "start" and target is not None and self._stand_near(target):
+            if step != "start" and self._stand_elsewhere(arguments, call.get("near", arguments.get("objectId"))):
                 self.moved.append(self._calls)
                 message = None if call["action"] == "Teleport" else self._step(arguments)
         if message is not None:
             self._fail(step, call, message)
         return message is None
 
-    def _stand_near(self, target: str) -> bool:
-        here = self.controller.last_event.metadata["agent"]["position"]
-        if self._step({"action": "GetInteractablePoses", "objectId": target, "standings": [True]}) is not None:
+    def _stand_elsewhere(self, call: Json, target: str | None) -> bool:
+        """Goes to the nearest pose at which the target can be handled; without a target, to where a Teleport can go."""
+        wanted = call.get("position", self.controller.last_event.metadata["agent"]["position"])
+        if target is not None:
+            asked = {"action": "GetInteractablePoses", "objectId": target, "standings": [True]}
+        elif call["action"] == "Teleport":
+            asked = {"action": "GetReachablePositions"}
+        else:
             return False
-        poses = self.controller.last_event.metadata["actionReturn"] or []
-        poses.sort(key=lambda pose: (pose["x"] - here["x"]) ** 2 + (pose["z"] - here["z"]) ** 2)
-        return any(self._step({"action": "TeleportFull", **pose}) is None for pose in poses[:5])
+        if self._step(asked) is not None:
+            return False
+        places: list[Json] = list(self.controller.last_event.metadata["actionReturn"] or [])
+        places.sort(key=lambda place: (place["x"] - wanted["x"]) ** 2 + (place["z"] - wanted["z"]) ** 2)
+        return any(
+            self._step({"action": "TeleportFull", **place} if target is not None else {**call, "position": place}) is None
+            for place in places[:5]
+        )
 
 
 def run(task: Json, house: Json, controller: Controller) -> Json:
@@ -292,8 +301,10 @@ def main(arguments: list[str] | None = None, make: Callable[..., Controller] | N
         one.stem for one in chosen.folder.glob("*.json") if not one.name.endswith(".house.json")
     )
     if make is None:
-        from ai2thor.controller import Controller as make
-    controller = make(**SETTINGS)
+        from ai2thor.controller import Controller as Theirs
+
+        make = Theirs
+    controller: Controller = make(**SETTINGS)
     succeeded = 0
     with chosen.out.open("w") as out:
         for name in names:
