@@ -86,23 +86,55 @@ class TestWriter {
   const Knowledge& knowledge_;
 };
 
-/// The states of the demonstration, in each of which the pieces exist that have been cut.
-Trace trace_with(const std::vector<ThorPiece>& pieces, Scene start, const std::vector<Delta>& changes,
-                 bool with_comparisons) {
-  std::map<std::string, std::size_t> first_state;  // of the pieces that the demonstration cuts
-  for (std::size_t i = 0; i < changes.size(); ++i) {
-    for (const Node& node : changes[i].nodes) first_state.emplace(node.id, i + 1);
+EntityIndex entity_of(const std::string& id, const Trace& trace) {
+  std::size_t i = 0;
+  while (trace.entities[EntityIndex(i)].id != id) ++i;
+  return EntityIndex(i);
+}
+
+/// A copy of a piece that lies where it does.
+template <class Edges>
+void add_beside(const Node& piece, std::string id, std::vector<Node>& nodes, const Edges& edges,
+                std::vector<Edge>& added) {
+  std::vector<Edge> copies;
+  for (const Edge& edge : edges) {
+    if (edge.from == piece.id) copies.push_back({edge.relation, id, edge.to});
   }
-  for (const ThorPiece& piece : pieces) start.nodes.push_back(piece.node);
-  Trace trace = to_logic(start, changes, with_comparisons);
+  added.insert(added.end(), copies.begin(), copies.end());
+  nodes.push_back(piece);
+  nodes.back().id = std::move(id);
+}
+
+/// The states of the demonstration with all pieces that AI2-THOR cuts, which are more than ours: the others lie where
+/// the first does. Pieces of what is never cut are entities that never exist.
+Trace trace_with(const std::vector<ThorPiece>& pieces, Scene start, std::vector<Delta> changes, bool with_comparisons) {
+  Delta at_start;
+  std::vector<std::string> never;
   for (const ThorPiece& piece : pieces) {
-    const auto from = first_state.find(piece.node.id);
-    for (std::size_t i = 0; i < trace.entities.size(); ++i) {
-      if (trace.entities[EntityIndex(i)].id != piece.node.id) continue;
-      for (std::size_t state = 0; state < trace.states.size(); ++state) {
-        if (from == first_state.end() || state < from->second) trace.states[state].forget(EntityIndex(i));
-      }
+    if (piece.beside.empty()) continue;  // the demonstration itself cuts it
+    if (const Node* const first = find_node(start, piece.beside);
+        first != nullptr && first->category == piece.node.category) {
+      add_beside(*first, piece.node.id, at_start.nodes, start.edges, at_start.edges_added);
+      continue;
     }
+    bool cut = false;
+    for (Delta& change : changes) {
+      const auto first = std::find_if(change.nodes.begin(), change.nodes.end(), [&](const Node& node) {
+        return node.slice_of == piece.beside && find_node(start, node.id) == nullptr;
+      });
+      if (first == change.nodes.end()) continue;
+      const Node copied = *first;
+      add_beside(copied, piece.node.id, change.nodes, std::vector<Edge>(change.edges_added), change.edges_added);
+      cut = true;
+      break;
+    }
+    if (cut) continue;
+    at_start.nodes.push_back(piece.node);
+    never.push_back(piece.node.id);
+  }
+  Trace trace = to_logic(apply(std::move(start), at_start), changes, with_comparisons);
+  for (const std::string& id : never) {
+    for (Facts& facts : trace.states) facts.forget(entity_of(id, trace));
   }
   return trace;
 }
@@ -120,7 +152,7 @@ std::vector<ThorPiece> thor_pieces(const FinishedTask& task, const ThorNames& na
       const bool is_new =
           find_node(task.start, node.id) == nullptr &&
           std::none_of(pieces.begin(), pieces.end(), [&](const ThorPiece& one) { return one.node.id == node.id; });
-      if (is_new && !node.slice_of.empty()) pieces.push_back({node, names.at(node.id)});
+      if (is_new && !node.slice_of.empty()) pieces.push_back({node, names.at(node.id), ""});
     }
   }
   const auto add = [&](const Node& whole, const std::string& piece_category, const std::string& object) {
@@ -132,6 +164,7 @@ std::vector<ThorPiece> thor_pieces(const FinishedTask& task, const ThorNames& na
       piece.node.category = piece_category;
       piece.node.movable = true;
       piece.node.size = Vec3::Constant(0.01);
+      piece.beside = whole.id;
       const bool cut_at_start = whole.category == piece_category;
       piece.node.slice_of = cut_at_start ? whole.slice_of : whole.id;
       piece.node.whole_category = cut_at_start ? whole.whole_category : whole.category;
@@ -162,8 +195,10 @@ Result<ThorGoal> thor_goal(const FinishedTask& task, ThorNames names, const std:
     names[piece.node.id] = piece.objectId;
   }
   const Trace trace = trace_with(pieces, task.start, changes, with_comparisons);
-  const Trace all = to_logic(with_pieces, {}, with_comparisons);
-  auto ltlf = ltlf_goal(goal, Trace{trace.entities, {trace.states.front(), all.states.front()}});
+  if (!holds(goal, trace)) return thor_lacks("AI2-THOR cuts a thing into more pieces than its goal allows");
+  Facts later = trace.states.front();
+  for (const ThorPiece& piece : pieces) later.set_exists(entity_of(piece.node.id, trace));
+  auto ltlf = ltlf_goal(goal, Trace{trace.entities, {trace.states.front(), std::move(later)}});
   if (!ltlf) return ltlf.error();
   ThorGoal made;
   made.formula = std::move(ltlf->formula);

@@ -26,6 +26,7 @@ struct ThorGoal {
 struct ThorPiece {
   Node node;             // as in our scene, where it is there
   std::string objectId;  // `<whole>|BreadSliced_3`
+  std::string beside;    // of one that our scene does not have: id of the whole, or of the piece that the start has
 };
 
 /// The pieces that may come in a house: as many of each whole as AI2-THOR's models have. `task` and `names` as in

@@ -30,10 +30,10 @@ struct LtlfGoal {
 
 /// A goal as a propositional formula of linear temporal logic on finite traces: every quantifier and count is written
 /// out over the objects of the start. `start`: a trace of the start state, with comparisons; entities that exist only
-/// in further states of it may come later, and a quantifier ranges over those that come. No `next` and no `last` is
-/// used, since tools differ in these: "f at the end" is G(F(f)). Equal goals and starts give equal text. Errors:
-/// Unsatisfiable with the reason, where the goal ranges over objects that the start does not have yet, or the formula
-/// would be longer than 100,000 characters.
+/// in further states of it may come later and then stay, and a quantifier ranges over those that come. No `next` and no
+/// `last` is used, since tools differ in these: "f at the end" is G(F(f)). Equal goals and starts give equal text.
+/// Errors: Unsatisfiable with the reason, where the goal ranges over objects that the start does not have yet, or the
+/// formula would be longer than 100,000 characters.
 Result<LtlfGoal> ltlf_goal(const Formula& goal, const Trace& start);
 
 }  // namespace unietp
