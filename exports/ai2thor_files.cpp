@@ -144,7 +144,7 @@ Result<Json> task_json(const FinishedTask& task, ThorHouse& made, const Knowledg
               {"instruction", task.record.instruction},
               {"house", task.record.id + ".house.json"},
               {"objects", names},
-              {"notSaid", house.left_out},
+              {"not_said", house.left_out},
               {"start", std::move(*start)},
               {"plan", std::move(*plan)},
               {"goal",

@@ -196,9 +196,14 @@ Result<ThorGoal> thor_goal(const FinishedTask& task, ThorNames names, const std:
   }
   const Trace trace = trace_with(pieces, task.start, changes, with_comparisons);
   if (!holds(goal, trace)) return thor_lacks("AI2-THOR cuts a thing into more pieces than its goal allows");
-  Facts later = trace.states.front();
-  for (const ThorPiece& piece : pieces) later.set_exists(entity_of(piece.node.id, trace));
-  auto ltlf = ltlf_goal(goal, Trace{trace.entities, {trace.states.front(), std::move(later)}});
+  // AI2-THOR may cut fewer: of those that our scene does not have, the goal asks nothing unless they are there.
+  Facts front = trace.states.front(), later = front;
+  for (const ThorPiece& piece : pieces) {
+    const EntityIndex entity = entity_of(piece.node.id, trace);
+    if (!piece.beside.empty()) front.forget(entity);
+    later.set_exists(entity);
+  }
+  auto ltlf = ltlf_goal(goal, Trace{trace.entities, {std::move(front), std::move(later)}});
   if (!ltlf) return ltlf.error();
   ThorGoal made;
   made.formula = std::move(ltlf->formula);
