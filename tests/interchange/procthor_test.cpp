@@ -11,6 +11,7 @@
 #include "core/text.h"
 #include "import_rates.h"
 #include "interchange/formats.h"
+#include "interchange/unity.h"
 #include "small_home.h"
 #include "tests/support/needs.h"
 
@@ -172,6 +173,41 @@ TEST(Procthor, AWallIsNamedByItsRoomAndItsEndsInTwoDecimals) {
     EXPECT_NEAR(std::stod(parts[5]), z[1], 0.006) << wall["id"];
     EXPECT_EQ(wall["id"].get<std::string>().find("-0.00"), std::string::npos) << wall["id"];
   }
+}
+
+/// The models of knives stand on an edge, and those of laptops have their lids up.
+TEST(Procthor, AKnifeLiesFlatAndALaptopIsShut) {
+  const Knowledge& knowledge = committed_knowledge(Simulator::Ai2thor);
+  Scene scene = small_home(knowledge, 1);
+  for (const char* const category : {"Knife", "Laptop"}) {
+    const Category& kind = *knowledge.find(category);
+    Node node;
+    node.id = category;
+    node.category = category;
+    node.movable = true;
+    node.archetype = kind.archetype;
+    node.size = kind.size;
+    node.pose.position << scene.agent.position, node.size.z() / 2;
+    node.states.set({Predicate::Closed, ""});
+    scene.nodes.push_back(node);
+  }
+  const auto written = write_procthor(scene, knowledge, format_facts());
+  ASSERT_TRUE(written) << format(written.error());
+  const auto house = nlohmann::json::parse(written->text);
+  const auto object = [&](const std::string& id) {
+    for (const auto& one : house["objects"]) {
+      if (one["id"] == written->names.at(id)) return one;
+    }
+    return nlohmann::json();
+  };
+  const auto knife = object("Knife"), laptop = object("Laptop");
+  const auto& turned = knife["rotation"];
+  const Vec3 lies = rotation_from_unity({turned["x"], turned["y"], turned["z"]}).toRotationMatrix().cwiseAbs() *
+                    knowledge.asset(knife["assetId"].get<std::string>())->size;
+  EXPECT_LT((lies - knowledge.find("Knife")->size).cwiseAbs().maxCoeff(), 0.01) << lies.transpose();
+  EXPECT_NEAR(knife["position"]["y"], lies.z() / 2, 0.001);
+  EXPECT_EQ(laptop["openness"], 0.0);
+  EXPECT_GT(knowledge.asset(laptop["assetId"].get<std::string>())->size.z(), 0.1);
 }
 
 TEST(Procthor, AHouseThatIsWrittenAndReadIsTheSameHome) {
