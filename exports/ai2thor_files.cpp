@@ -150,7 +150,7 @@ Result<Json> task_json(const FinishedTask& task, ThorHouse& made, const Knowledg
               {"goal",
                {{"text", task.record.goal_text},
                 {"formula", goal->formula},
-                {"propositions", goal->propositions},
+                {"propositions", Json::parse(goal->propositions)},
                 {"holds", goal->holding.front()}}}};
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <nlohmann/json.hpp>
+
 #include "exports/ai2thor_words.h"
 #include "exports/ltlf_formula.h"
 #include "interchange/formats.h"
@@ -207,23 +209,24 @@ Result<ThorGoal> thor_goal(const FinishedTask& task, ThorNames names, const std:
   if (!ltlf) return ltlf.error();
   ThorGoal made;
   made.formula = std::move(ltlf->formula);
-  made.propositions = Json::array();
+  Json propositions = Json::array();
   const TestWriter tests(with_pieces, names, knowledge);
   for (const auto& one : ltlf->propositions) {
     const auto test = tests.test_of(one, trace.states.front());
     if (!test) return test.error();
-    made.propositions.push_back(
+    propositions.push_back(
         {{"name", one.name}, {"predicate", one.predicate}, {"arguments", one.arguments}, {"test", *test}});
     for (const auto& argument : one.arguments) {
       if (names.contains(argument)) made.objects.insert(argument);
     }
   }
   for (const Facts& facts : trace.states) {
-    made.holding.push_back(Json::array());
+    made.holding.emplace_back();
     for (const auto& one : ltlf->propositions) {
       if (one.holds_in(facts)) made.holding.back().push_back(one.name);
     }
   }
+  made.propositions = propositions.dump(-1, ' ', false, Json::error_handler_t::replace);
   return made;
 }
 

@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "akb/knowledge.h"
 #include "exports/ai2thor_plan.h"
 #include "logic/trace.h"
@@ -16,10 +14,10 @@ namespace unietp {
 
 /// A goal that AI2-THOR's metadata decides.
 struct ThorGoal {
-  std::string formula;                          // as LTLf (ltlf_formula.h) has it
-  nlohmann::ordered_json propositions;          // `{"name", "predicate", "arguments", "test"}` for each that it names
-  std::vector<nlohmann::ordered_json> holding;  // for the start and after each step, names of those that hold
-  std::set<std::string> objects;                // ids of the objects that it names
+  std::string formula;                            // as LTLf (ltlf_formula.h) has it
+  std::string propositions;                       // JSON: `{"name", "predicate", "arguments", "test"}` for each
+  std::vector<std::vector<std::string>> holding;  // for the start and after each step, names of those that hold
+  std::set<std::string> objects;                  // ids of the objects that it names
 };
 
 /// A piece of something that AI2-THOR cuts.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include <nlohmann/json.hpp>
+
 #include "exports/ai2thor_words.h"
 #include "interchange/house_json.h"
 #include "interchange/unity.h"

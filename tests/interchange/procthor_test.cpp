@@ -201,8 +201,8 @@ TEST(Procthor, AKnifeLiesFlatAndALaptopIsShut) {
     return nlohmann::json();
   };
   const auto knife = object("Knife"), laptop = object("Laptop");
-  const auto& turned = knife["rotation"];
-  const Vec3 lies = rotation_from_unity({turned["x"], turned["y"], turned["z"]}).toRotationMatrix().cwiseAbs() *
+  const auto turned = [&](const char* axis) { return knife["rotation"][axis].get<double>(); };
+  const Vec3 lies = rotation_from_unity(Vec3(turned("x"), turned("y"), turned("z"))).toRotationMatrix().cwiseAbs() *
                     knowledge.asset(knife["assetId"].get<std::string>())->size;
   EXPECT_LT((lies - knowledge.find("Knife")->size).cwiseAbs().maxCoeff(), 0.01) << lies.transpose();
   EXPECT_NEAR(knife["position"]["y"], lies.z() / 2, 0.001);
