@@ -179,6 +179,9 @@ TEST(Procthor, AWallIsNamedByItsRoomAndItsEndsInTwoDecimals) {
 TEST(Procthor, AKnifeLiesFlatAndALaptopIsShut) {
   const Knowledge& knowledge = committed_knowledge(Simulator::Ai2thor);
   Scene scene = small_home(knowledge, 1);
+  Vec2 middle = Vec2::Zero();
+  for (const Vec2& corner : scene.rooms[0].polygon)
+    middle += corner / static_cast<double>(scene.rooms[0].polygon.size());
   for (const char* const category : {"Knife", "Laptop"}) {
     const Category& kind = *knowledge.find(category);
     Node node;
@@ -186,13 +189,17 @@ TEST(Procthor, AKnifeLiesFlatAndALaptopIsShut) {
     node.category = category;
     node.movable = true;
     node.archetype = kind.archetype;
+    node.openable = knowledge.has(category, "openable");
     node.size = kind.size;
-    node.pose.position << scene.agent.position, node.size.z() / 2;
+    node.pose.position << middle, node.size.z() / 2;
     node.states.set({Predicate::Closed, ""});
     scene.nodes.push_back(node);
   }
   const auto written = write_procthor(scene, knowledge, format_facts());
   ASSERT_TRUE(written) << format(written.error());
+  for (const char* const id : {"Knife", "Laptop"}) {
+    ASSERT_TRUE(written->names.contains(id)) << ::testing::PrintToString(written->left_out);
+  }
   const auto house = nlohmann::json::parse(written->text);
   const auto object = [&](const std::string& id) {
     for (const auto& one : house["objects"]) {
