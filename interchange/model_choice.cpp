@@ -50,14 +50,25 @@ ChosenModel model_for(const Node& node, const Knowledge& knowledge, std::string&
     why = "no model of " + node.category + " is known";
     return {};
   }
-  const Asset* nearest = nullptr;
+  struct Fit {
+    const Asset* model;
+    Quat turn;
+    double misfit;
+  };
+  std::vector<Fit> fits;  // the best of each way, upright first
   for (const Quat& turn : ways_to_lie(node)) {
-    const auto misfit_of = [&](const Asset* model) { return misfit(turned(model->size, turn), node.size); };
-    const Asset* best = *std::min_element(models.begin(), models.end(),
-                                          [&](const Asset* a, const Asset* b) { return misfit_of(a) < misfit_of(b); });
-    if (misfit_of(best) <= 1) return {best, turn};
-    if (nearest == nullptr) nearest = best;
+    Fit best{nullptr, turn, std::numeric_limits<double>::infinity()};
+    for (const Asset* const model : models) {
+      const double worst = misfit(turned(model->size, turn), node.size);
+      if (worst < best.misfit) best = {model, turn, worst};
+    }
+    fits.push_back(best);
   }
+  if (fits.front().misfit <= 1) return {fits.front().model, fits.front().turn};
+  const Fit& best =
+      *std::min_element(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return a.misfit < b.misfit; });
+  if (best.misfit <= 1) return {best.model, best.turn};
+  const Asset* const nearest = fits.front().model;
   why = "no model fits its box of " + box_text(node.size) + "; the nearest, " + nearest->name + ", has " +
         box_text(nearest->size);
   return {};

@@ -9,7 +9,7 @@ from pathlib import Path
 from types import ModuleType
 
 import pytest
-from simulated_thor import SimulatedThor
+from simulated_thor import Event, SimulatedThor
 
 from unietp.program import run_program
 
@@ -136,6 +136,57 @@ def test_a_difference_from_our_physics_is_told(tasks):
         assert {"step": len(task["plan"]), "proposition": task["plan"][-1]["holds"][0], "value": False} in line["differences"]
         return
     pytest.fail("no task ends with putting something on something")
+
+
+class Server:
+    """The stand-in behind AI2-THOR's own controller, in the place of the process of Unity."""
+
+    server_type = "FIFO"
+    unity_proc = None
+    started = False
+
+    def __init__(self):
+        self.simulated = SimulatedThor()
+        self.event = self.answer()
+
+    def start(self):
+        self.started = True
+
+    def stop(self): ...
+
+    def set_init_params(self, parameters): ...
+
+    @staticmethod
+    def answer(**metadata):
+        state = {"lastActionSuccess": True, "errorMessage": "", "errorCode": "", "sceneName": "Procedural"}
+        return Event({**state, "actionReturn": None, **metadata})
+
+    def send(self, action):
+        arguments = {key: value for key, value in action.items() if key not in ("action", "sequenceId")}
+        if action["action"] == "GetScenesInBuild":
+            self.event = self.answer(actionReturn=["FloorPlan1_physics"])
+        elif action["action"] in ("Reset", "Initialize"):
+            self.event = self.answer()
+        elif action["action"] == "CreateHouse":
+            self.event = self.answer(**self.simulated.reset(action["house"]).metadata)
+        else:
+            self.event = self.answer(**self.simulated.step(action["action"], **arguments).metadata)
+
+    def receive(self, timeout=None):
+        return self.event
+
+
+def test_the_controller_of_the_package_takes_the_calls(tasks, tmp_path, monkeypatch):
+    """Needs the package ai2thor 5.0.0, which is no requirement of the tests."""
+    module = pytest.importorskip("ai2thor.controller")
+    monkeypatch.setattr(module.Controller, "_build_server", lambda self, *_: setattr(self, "server", Server()))
+
+    def make(**settings):
+        return module.Controller(start_unity=False, **settings)
+
+    out = tmp_path / "results.jsonl"
+    assert runner.main([str(tasks), "--out", str(out)], make) == 0
+    assert all(json.loads(line)["success"] for line in out.read_text().splitlines())
 
 
 @pytest.mark.parametrize(
