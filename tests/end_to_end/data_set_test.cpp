@@ -96,6 +96,10 @@ TEST(DataSet, ATaskIsDrawnFromAbove) {
       run_program({"render", small_data_set().string(), task, "--out", folder.at("no.png"), "--step", "99"});
   EXPECT_EQ(late.code, 2);
   EXPECT_THAT(late.err, HasSubstr("--step"));
+  const auto last = std::string(trim(late.err.substr(late.err.rfind(' '))));  // "expected 1 to 7"
+  const auto at_end =
+      run_program({"render", small_data_set().string(), task, "--out", folder.at("end.png"), "--step", last});
+  EXPECT_EQ(at_end.code, 0) << at_end.err;
   const auto unknown = run_program({"render", small_data_set().string(), "nobody", "--out", folder.at("no.svg")});
   EXPECT_EQ(unknown.code, 2);
   EXPECT_FALSE(fs::exists(folder.at("no.svg")));

@@ -56,6 +56,13 @@ TEST(Help, TheFirstScreenFitsATerminalAndNamesEveryCommand) {
   for (const auto& name : entries(output_of({"help"}), "Commands")) EXPECT_THAT(screen, HasSubstr(name));
 }
 
+TEST(Help, AFormatIsListedWithTheValuesOfItsOptions) {
+  const auto formats = output_of({"help", "formats"});
+  EXPECT_THAT(formats, HasSubstr("  --unit episode|step\n"));
+  EXPECT_THAT(formats, HasSubstr("  --modes M1|M2|M3\n"));
+  EXPECT_THAT(formats, HasSubstr("  --reasoning\n"));
+}
+
 TEST(Help, EveryCommandHasASummaryAnExampleAndShortLines) {
   const auto commands = all_commands();
   EXPECT_GT(commands.size(), 35U);

@@ -112,16 +112,18 @@ TEST(Diff, TellsEachFactThatChanged) {
   ASSERT_TRUE(committed);
   ASSERT_TRUE(write_file(folder.at("t/override.csv"), *committed + "ai2thor,Mug,mass,0.77,weighed\n"
                                                                    "ai2thor,Fridge,openable,false,taped shut\n"
-                                                                   "habitat,bowl,alias:test dish,true,a word\n"));
+                                                                   "habitat,bowl,alias:test dish,true,a word\n"
+                                                                   "behavior,apple,mass,0.31,weighed\n"));
   const auto ended = ask({"diff", kTables.string(), folder.at("t")});
   EXPECT_EQ(ended.code, 1) << ended.err;
   EXPECT_THAT(ended.out, HasSubstr("- ai2thor Fridge openable true ["));
   EXPECT_THAT(ended.out, HasSubstr("~ ai2thor Mug mass "));
   EXPECT_THAT(ended.out, HasSubstr(" -> 0.77 ["));
   EXPECT_THAT(ended.out, HasSubstr("+ habitat bowl alias:test dish synonym [override:override.csv, confidence 1]"));
-  EXPECT_THAT(ended.out, HasSubstr("1 added, 1 removed, 1 changed\n"));
+  EXPECT_THAT(ended.out, HasSubstr("1 added, 1 removed, 2 changed\n"));
+  EXPECT_THAT(ended.out, HasSubstr("~ behavior apple mass "));
   const auto json = json_of(ask({"diff", kTables.string(), folder.at("t"), "--json"}));
-  EXPECT_EQ(json["facts"].size(), 3U);
+  EXPECT_EQ(json["facts"].size(), 4U);
   EXPECT_EQ(json["facts"][2]["old"], nullptr);
   EXPECT_EQ(ask({"diff", kTables.string(), folder.at("nowhere")}).code, 2);
 }

@@ -63,6 +63,9 @@ TEST_F(QuotaRun, ShardsPutTogetherAreTheBytesOfOneProcess) {
   ASSERT_EQ(make("again", {"--shard", "1/2", "--threads", "1"}).code, 0);
   EXPECT_EQ(bytes_below(scratch_.at("again")), bytes_below(scratch_.at("first")));
 
+  const auto nowhere = run_program({"merge", scratch_.at("second"), scratch_.at("first")});
+  EXPECT_EQ(nowhere.code, 2);
+  EXPECT_THAT(nowhere.err, HasSubstr("--out is required"));
   const auto lacks = run_program({"merge", scratch_.at("second"), "--out", scratch_.at("half")});
   EXPECT_EQ(lacks.code, 2);
   EXPECT_THAT(lacks.err, HasSubstr("shard 1 of 2 is missing"));

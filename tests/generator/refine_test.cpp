@@ -344,6 +344,29 @@ TEST(StyleFit, LeavesOutWhatHasNoOtherName) {
   EXPECT_FALSE(has_alias("close-all-in-room"));
 }
 
+/// "A few" is two or three at least, and neither exactly two nor at least four.
+TEST(StyleFit, AFewIsSaidOfTwoOrThreeAtLeast) {
+  const auto count_of = [](const auto& self, Formula& formula) -> Formula* {
+    if (formula.op == Formula::Op::Count) return &formula;
+    for (Formula& child : formula.children) {
+      if (Formula* found = self(self, child)) return found;
+    }
+    return nullptr;
+  };
+  Template source = library_template("place-exactly-two-on");
+  Formula* count = count_of(count_of, source.goal);
+  ASSERT_NE(count, nullptr);
+  for (const auto& [comparison, number, fits] :
+       {std::tuple(Comparison::AtLeast, 2, true), std::tuple(Comparison::AtLeast, 3, true),
+        std::tuple(Comparison::AtLeast, 4, false), std::tuple(Comparison::Equal, 2, false),
+        std::tuple(Comparison::AtMost, 3, false)}) {
+    count->comparison = comparison;
+    count->number = number;
+    const auto styles = styles_fitting(source);
+    EXPECT_EQ(std::find(styles.begin(), styles.end(), Style::VagueQuantity) != styles.end(), fits) << number;
+  }
+}
+
 TEST(RefineLinguistic, DoesNotApplyWithoutWordsForIt) {
   const auto knowledge = small_home(Simulator::Ai2thor);
   EXPECT_FALSE(

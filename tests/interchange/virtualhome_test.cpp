@@ -11,6 +11,7 @@
 #include "core/text.h"
 #include "import_rates.h"
 #include "interchange/formats.h"
+#include "interchange/virtualhome_words.h"
 #include "small_home.h"
 #include "tests/support/needs.h"
 
@@ -21,6 +22,7 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using Json = nlohmann::json;
 
 Result<std::vector<SourceScene>> read(const std::string& text) {
@@ -223,7 +225,25 @@ TEST(Virtualhome, ExportsUpstreamsWordsForPropertiesStatesAndRelations) {
         "doorjamb BETWEEN kitchen", "doorjamb BETWEEN bedroom", "floor INSIDE kitchen", "character INSIDE kitchen"}) {
     EXPECT_THAT(relations, Contains(expected));
   }
+  EXPECT_THAT(relations, Not(Contains("plate ON floor")));
   EXPECT_THAT(exported->left_out, Contains("plate_1: VirtualHome has no word for hot"));
+}
+
+TEST(Virtualhome, GroupsOfCategoriesAreUpstreams) {
+  const Knowledge& knowledge = committed_knowledge(Simulator::Virtualhome);
+  for (const auto& [category, group] : std::map<std::string, std::string>{{"microwave", "Appliances"},
+                                                                          {"tablelamp", "Lamps"},
+                                                                          {"radio", "Electronics"},
+                                                                          {"plate", "Props"},
+                                                                          {"sofa", "Furniture"}}) {
+    ASSERT_NE(knowledge.find(category), nullptr) << category;
+    EXPECT_EQ(virtualhome_group(*knowledge.find(category), knowledge), group) << category;
+  }
+  Category bread;
+  bread.name = "bread", bread.movable = true;
+  AffordanceFact sliced;
+  sliced.category = "bread", sliced.affordance = "sliceable";
+  EXPECT_EQ(virtualhome_group(bread, Knowledge(Simulator::Virtualhome, {bread}, {sliced}, {}, {}, {})), "Food");
 }
 
 TEST(Virtualhome, BadGraphsGetAnErrorWithItsPlace) {
