@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "simulation/picture.h"
+#include "simulation/solids.h"
+#include "simulation/state_solids.h"
 
 namespace unietp {
 namespace {
@@ -196,6 +198,20 @@ TEST(VisibleMaterial, OfGlassShowsWhatIsBehind) {
   const Picture without = picture_of(alone, profile, rays), with = picture_of(both, profile, rays);
   const std::size_t middle = 3 * (60 * 120 + 60);
   EXPECT_GT(int{without.rgb[middle + 2]} - int{with.rgb[middle + 2]}, 20);
+}
+
+TEST(VisibleState, OfALiquidInWhatHasNoHollowIsNotABlockAroundIt) {
+  for (const char* category : {"kettle", "mug"}) {
+    Node node = thing(Archetype::Lidded, {0.2, 0.2, 0.2});
+    node.category = category;
+    node.states.set({Predicate::Filled, "water"});
+    std::vector<Solid> solids;
+    add_solids(node, 0, Simulator::Virtualhome, solids);
+    add_state_solids(node, 0, 0, false, solids);
+    const auto liquids =
+        std::count_if(solids.begin(), solids.end(), [](const Solid& solid) { return solid.skin == Skin::Liquid; });
+    EXPECT_EQ(liquids, std::string(category) == "mug" ? 1 : 0) << category;
+  }
 }
 
 TEST(VisibleThing, InTheHandIsInACornerAndLeavesTheRest) {
