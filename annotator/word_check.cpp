@@ -283,7 +283,8 @@ class Check {
 
   void times() {
     if (goal_.order &&
-        !any_word(words_, "before. first. then. until. till. after. afterwards once. later. only. when. while. prior"))
+        !any_word(words_,
+                  "before. first. then. until. till. after. afterwards once. later. only. when. while. prior soon."))
       lacks("the order ('first … then', 'before', 'until')");
     if (goal_.throughout && !any_word(words_,
                                       "always. whole. time. times. throughout. keep never. stay remain leave. "

@@ -6,6 +6,7 @@
 
 #include "simulation/picture.h"
 #include "simulation/solids.h"
+#include "simulation/state_solids.h"
 
 namespace unietp {
 namespace {
@@ -206,6 +207,7 @@ TEST(VisibleState, OfALiquidInWhatHasNoHollowIsNotABlockAroundIt) {
     node.states.set({Predicate::Filled, "water"});
     std::vector<Solid> solids;
     add_solids(node, 0, Simulator::Virtualhome, solids);
+    add_state_solids(node, 0, 0, false, solids);
     const auto liquids =
         std::count_if(solids.begin(), solids.end(), [](const Solid& solid) { return solid.skin == Skin::Liquid; });
     EXPECT_EQ(liquids, std::string(category) == "mug" ? 1 : 0) << category;
