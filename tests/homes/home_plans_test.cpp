@@ -50,6 +50,7 @@ TEST_F(HomePlans, NewHomesHaveTheSizeThatIsAskedForAndDoNotDependOnTheirNumber) 
   EXPECT_EQ(*made, *again);
   EXPECT_NE(*made, *other);
   EXPECT_EQ(made->rooms.size(), 5U);
+  EXPECT_GT(made->nodes.size(), 120U);
   const auto few = new_homes(inputs(), Simulator::Ai2thor, {1, 5, 5, 20})[0].make();
   ASSERT_TRUE(few);
   EXPECT_LT(few->nodes.size(), made->nodes.size()) << "30 objects for each room unless their number is given";

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "core/files.h"
 #include "dataset/manifest.h"
 #include "run/layout_pool.h"
+#include "tests/support/scratch_folder.h"
 
 namespace unietp {
 namespace {
@@ -75,6 +77,12 @@ TEST(UnknownCategories, ANameThatIsNoPlaceholderMustBeKnownToASimulator) {
   const auto errors = unknown_categories(source, reading.backends);
   ASSERT_EQ(errors.size(), 1U);
   EXPECT_NE(errors[0].message.find("did you mean \"Mug\""), std::string::npos);
+  const ScratchFolder folder;
+  source.file = (folder.path() / "own.template").string();
+  ASSERT_TRUE(write_file(source.file, "(Muggs aMugg Mugg-2)\n(Mugg)\n"));
+  EXPECT_EQ(unknown_categories(source, reading.backends)[0].pos, (SourcePos{2, 2})) << "as a word of its own";
+  ASSERT_TRUE(write_file(source.file, "Mugg"));
+  EXPECT_EQ(unknown_categories(source, reading.backends)[0].pos, (SourcePos{1, 1}));
   source.goal = at_end(exists("a", of_category("A"), atom(Predicate::Open, {"a"})));
   source.constraints = {{ConstraintType::Kind, {"A", "food"}, {}}};
   EXPECT_TRUE(unknown_categories(source, reading.backends).empty());
