@@ -173,10 +173,14 @@ class Rewriting {
     const auto repeats = [&] { return texts_.contains(record.layout, draft->text); };
     const auto in_style = [&] { return draft->style == task.specification.style; };
     constexpr std::uint64_t kOthers = 400;  // a goal has tens of texts at least, and a home few tasks of one goal
+    // Some styles fit some goals in everyday words only; "all" phrasings are those and the others.
+    AnnotateOptions everyday = options_;
+    if (options_.llm.phrasings == Phrasings::All) everyday.llm.phrasings = Phrasings::Everyday;
     for (std::uint64_t k = 1; draft && k <= kOthers && (repeats() || !in_style()); ++k) {
       const bool in_place = repeats() && options_.writer != Writer::Grammar;
       std::string why = in_place ? "another task of this home has the model's text" : draft->why;
-      draft = by_grammar(homes_, task, resources_, options_, stream_of(task, options_).fork("another", k));
+      const AnnotateOptions& options = k > kOthers / 2 && !in_style() ? everyday : options_;
+      draft = by_grammar(homes_, task, resources_, options, stream_of(task, options_).fork("another", k));
       if (draft) draft->why = std::move(why);
     }
     if (!draft) {
