@@ -47,12 +47,12 @@ TEST(PddlDomain, OfTheWideProfileHasTheActionsOfTheTableAndReadsStrictly) {
 
 TEST(PddlDomain, WhoSitsOrLiesIsSeated) {
   const std::string text = pddl::domain_text(committed_knowledge(Simulator::Virtualhome), ActionProfile::Wide);
-  for (const char* name : {"(:action sit_on\n", "(:action lie_on\n", "(:action open\n"}) {
+  for (const char* name : {"(:action sit_on", "(:action lie_on", "(:action open"}) {
     const auto begin = text.find(name);
     ASSERT_NE(begin, std::string::npos) << name;
     const std::string action = text.substr(begin, text.find("(:action", begin + 1) - begin);
     const std::string effect = action.substr(action.find(":effect"));
-    EXPECT_EQ(effect.find("(seated)") != std::string::npos, std::string(name) != "(:action open\n") << action;
+    EXPECT_EQ(effect.find("(seated)") != std::string::npos, std::string(name) != "(:action open") << action;
   }
 }
 
