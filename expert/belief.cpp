@@ -36,7 +36,7 @@ void presume(Node& node, const SearchNeeds& needs) {
     for (const WantedState& wanted : needs.states) {
       if (wanted.stated != stated) continue;
       const auto& of = wanted.categories;
-      if (std::find(of.begin(), of.end(), node.category) == of.end()) continue;
+      if (!holds(of, node.category)) continue;
       if (wanted.positive == stated) {
         set_state(node, wanted.state);
       } else if (wanted.state.predicate == Predicate::Covered) {

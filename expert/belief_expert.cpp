@@ -24,10 +24,6 @@ constexpr double kStray_m = 0.01;  // from where a step should have led
 // What is in reach from all around is so also where what nobody has seen yet stands beside it.
 const std::array<Vec2, 4> kAside_m{Vec2{0.05, 0}, Vec2{-0.05, 0}, Vec2{0, 0.05}, Vec2{0, -0.05}};
 
-bool one_of(const std::vector<std::string>& list, const std::string& one) {
-  return std::find(list.begin(), list.end(), one) != list.end();
-}
-
 /// Looks, plans and acts behind a window.
 class BeliefExpert {
  public:
@@ -323,7 +319,7 @@ class BeliefExpert {
       const Bounds there = bounds_of(target->pose, target->size);
       const auto is_there = [&](const std::string& id) {
         const Node& node = *belief_.find(id);
-        return id != target->id && node.movable && !one_of(window_.body().held, id) &&
+        return id != target->id && node.movable && !holds(window_.body().held, id) &&
                overlap(there, bounds_of(node.pose, node.size), kTouch_m);
       };
       if (std::any_of(belief_.moved().begin(), belief_.moved().end(), is_there)) return true;
@@ -339,7 +335,7 @@ class BeliefExpert {
     const Node* news = belief_.find(belief_.last_news());
     if (news == nullptr) return false;
     for (const SearchNeed& need : needs_.needs) {
-      if (need.every && one_of(need.categories, news->category)) return true;
+      if (need.every && holds(need.categories, news->category)) return true;
     }
     const auto uses = [&](const Action& action) { return !action.args.empty() && action.args.front() == news->id; };
     return std::any_of(plan_.begin() + static_cast<std::ptrdiff_t>(next_), plan_.end(), uses);
@@ -361,8 +357,7 @@ class BeliefExpert {
   }
   bool would_work(const SearchOrder::Look& look) {
     const World* told = told_world();
-    if (told == nullptr) return true;
-    if (look.from_here) return true;
+    if (told == nullptr || look.from_here) return true;
     World trial = *told;
     if (!trial.step({ActionType::GoTo, {look.id}}).success) {
       order_.give_up(look.id);
@@ -435,10 +430,10 @@ class BeliefExpert {
       at_ = action.type == ActionType::GoTo ? action.args.front() : at_;
       if (action != way.back() && found_enough()) break;
     }
-    if (look.opens && (way.empty() || look.before > 0 || !found_enough())) {
-      const bool open = belief_.find(look.id)->states.has(Predicate::Open);
-      if (!open && runs(look.id) && !act({ActionType::TurnOff, {look.id}})) return false;
-      if (!open && !act({ActionType::Open, {look.id}})) return false;
+    const bool opens = look.opens && (way.empty() || look.before > 0 || !found_enough());
+    if (opens && !belief_.find(look.id)->states.has(Predicate::Open)) {
+      if (runs(look.id) && !act({ActionType::TurnOff, {look.id}})) return false;
+      if (!act({ActionType::Open, {look.id}})) return false;
     }
     look.from_here ? order_.peeked_into(look.id) : order_.looked_at(look.id, belief_);
     return true;

@@ -178,6 +178,10 @@ class NeedReader {
 
 }  // namespace
 
+bool holds(const std::vector<std::string>& list, const std::string& one) {
+  return std::find(list.begin(), list.end(), one) != list.end();
+}
+
 SearchNeeds search_needs(const Formula& goal) {
   NeedReader reader;
   reader.read(goal, true);

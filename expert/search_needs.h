@@ -9,6 +9,9 @@
 
 namespace unietp {
 
+/// Whether a list of categories, types of rooms or ids holds one.
+bool holds(const std::vector<std::string>& list, const std::string& one);
+
 /// Things that have to be known of before a goal can be planned for.
 struct SearchNeed {
   std::vector<std::string> categories;  // of any of these; or types of rooms

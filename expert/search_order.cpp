@@ -24,10 +24,6 @@ constexpr double kBeside_m = 3;
 constexpr double kQuarter_deg = 90;  // from one view of a room to the next
 constexpr double kPerMetre = 0.05;   // steps that a metre of way counts for
 
-bool has(const std::vector<std::string>& list, const std::string& one) {
-  return std::find(list.begin(), list.end(), one) != list.end();
-}
-
 double left_after(const std::array<double, 6>& left, int looks) {
   return left[std::min<std::size_t>(static_cast<std::size_t>(looks), left.size() - 1)];
 }
@@ -61,7 +57,7 @@ SearchOrder::Place* SearchOrder::find(const std::string& id) {
 }
 
 SearchOrder::Chance SearchOrder::chance(const SearchTarget& target, const Place& place, const Belief& belief) const {
-  const bool fits = target.rooms.empty() || has(target.rooms, place.room_type);
+  const bool fits = target.rooms.empty() || holds(target.rooms, place.room_type);
   const double suits = usual_ == nullptr ? 1 : usual_->in_room(target.category, place.room_type);
   if (place.category.empty()) {
     if (target.floor) return {fits ? 1.0 : 0.0, 0};
@@ -78,13 +74,13 @@ SearchOrder::Chance SearchOrder::chance(const SearchTarget& target, const Place&
     }
     if (known == nullptr) return 0.0;
     const Category* category = knowledge_.find(target.category);
-    return known->likelihood * (category->rooms.empty() || has(category->rooms, place.room_type) ? 1 : kOddRoom);
+    return known->likelihood * (category->rooms.empty() || holds(category->rooms, place.room_type) ? 1 : kOddRoom);
   };
   Chance chance{of(Predicate::On) / number, of(Predicate::Inside) / number};
-  if (has(target.near, place.category)) chance.on += 1;
+  if (holds(target.near, place.category)) chance.on += 1;
   double factor = fits ? 1 : kElsewhere;
   if (target.floor) factor *= kElsewhere;
-  if (has(target.places, place.category)) {
+  if (holds(target.places, place.category)) {
     chance.on += 1;
     chance.inside += 1;
   } else if (!target.places.empty()) {
@@ -106,7 +102,7 @@ double SearchOrder::left_on(const Place& place, int looks) {
 
 double SearchOrder::left_inside(const Place& place, bool shut, int looks) const {
   if (place.given_up) return 0;
-  if (shut) return place.stays_shut || shut_.contains(place.category) ? 0 : 1;
+  if (shut && (place.stays_shut || shut_.contains(place.category))) return 0;
   return looks == 0 && place.peeked_into ? kGlimpsed : left_after(kLeftOfFurniture, looks);
 }
 
@@ -144,10 +140,11 @@ std::optional<SearchOrder::Look> SearchOrder::next(const std::vector<SearchTarge
     const double turned = place.looks == 0 ? 0 : place.category.empty() ? turns_ : 1;
     offer(place, on + inside_now, way + turned, false);
     if (!shut) continue;
-    const double opened = all.inside * (left_inside(place, true, 0) - left_after(kLeftOfFurniture, 1));
-    if (left_inside(place, true, 0) <= 0) continue;
+    const double left = left_inside(place, true, place.looks_inside);
+    if (left <= 0) continue;
+    const double opened = all.inside * (left - left_inside(place, false, place.looks_inside + 1));
     offer(place, (place.looks == 0 ? on : 0) + opened, way + 1, true);
-    const double peeked = all.inside * (left_inside(place, true, 0) - kGlimpsed);
+    const double peeked = all.inside * (left - kGlimpsed);
     if (peeked > most && in_reach(place.id)) offer(place, peeked, 1, true, true);
   }
   return best;

@@ -80,6 +80,7 @@ class SearchOrder {
   };
   Chance chance(const SearchTarget& target, const Place& place, const Belief& belief) const;
   static double left_on(const Place& place, int looks);
+  /// `shut`: it is closed now; what was seen in it before still counts.
   double left_inside(const Place& place, bool shut, int looks) const;
   static bool is_shut(const Place& place, const Belief& belief);
   Place* find(const std::string& id);

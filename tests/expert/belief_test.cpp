@@ -322,7 +322,12 @@ TEST_F(LookingForAMug, GoesUpToWhatItPeekedInto) {
   EXPECT_LT(peeked, before);
   EXPECT_EQ(order.next(inside, belief, "", out_of_reach)->id, "fridge_1");
   order.looked_at("fridge_1", belief);
-  EXPECT_LT(order.unseen_share(inside.front(), belief), peeked);
+  const double looked = order.unseen_share(inside.front(), belief);
+  EXPECT_LT(looked, peeked);
+  open.states.clear(Predicate::Open);
+  belief.see({open}, belief.scene().agent);
+  EXPECT_DOUBLE_EQ(order.unseen_share(inside.front(), belief), looked)
+      << "what was seen in it is known after it closes";
 }
 
 TEST_F(LookingForAMug, LooksAtAPlaceFromOtherAnglesLater) {
