@@ -10,6 +10,7 @@
 #include "simulation/outline.h"
 #include "simulation/solids.h"
 #include "simulation/visible_box.h"
+#include "simulation/wall_shadow.h"
 #include "simulation/walls.h"
 
 namespace unietp {
@@ -97,10 +98,10 @@ PixelBox cover_of(std::span<const Outline> outlines) {
 
 struct Viewer::Walls {
   std::vector<Solid> all;
-  BodyGrid places;  // of each, by its number
+  std::vector<Bounds> bounds;  // of each
+  BodyGrid places;             // of each, by its number
 
   explicit Walls(const Scene& scene) {
-    std::vector<Bounds> bounds;
     for (const WallPiece& piece : walls_of(scene)) {
       all.push_back({SolidKind::Box, piece.pose, piece.size, -1, false});
       bounds.push_back(bounds_of(piece.pose, piece.size));
@@ -111,23 +112,56 @@ struct Viewer::Walls {
     for (std::uint32_t i = 0; i < all.size(); ++i) places.insert(i, bounds[i]);
   }
 
-  /// Adds the outlines of the walls that may be visible up to a depth of `farthest`, in order.
-  void add_outlines(const Camera& camera, double farthest, std::vector<Outline>& outlines) const {
-    const auto add = [&](std::uint32_t i) {
+  /// Visits the walls that may be visible up to a depth of `farthest`, in order.
+  template <class Visit>
+  void visit(const Camera& camera, double farthest, Visit visit) const {
+    const auto show = [&](std::uint32_t i) {
       const Solid& wall = all[i];
       const double radius = wall.size.norm() / 2;
-      if (camera.depth(wall.pose.position) - radius > farthest || !camera.may_show(wall.pose.position, radius)) return;
-      if (auto outline = outline_of(wall, camera)) outlines.push_back(*outline);
+      if (camera.depth(wall.pose.position) - radius <= farthest && camera.may_show(wall.pose.position, radius))
+        visit(i);
     };
     constexpr std::size_t kFew = 128;  // for so few a linear scan is faster than the grid
     if (all.size() <= kFew) {
-      for (std::uint32_t i = 0; i < all.size(); ++i) add(i);
+      for (std::uint32_t i = 0; i < all.size(); ++i) show(i);
       return;
     }
     std::vector<std::uint32_t> near;
     places.visit(camera.shown_up_to(farthest), [&](std::uint32_t i) { near.push_back(i); });
     sort_unique(near);
-    for (const std::uint32_t i : near) add(i);
+    for (const std::uint32_t i : near) show(i);
+  }
+  void add_outlines(const Camera& camera, double farthest, std::vector<Outline>& outlines) const {
+    visit(camera, farthest, [&](std::uint32_t i) {
+      if (auto outline = outline_of(all[i], camera)) outlines.push_back(*outline);
+    });
+  }
+  /// The walls that may hide some of a sphere from a point, in order.
+  std::vector<std::uint32_t> between(const Vec3& eye, const Vec3& centre, double radius) const {
+    constexpr double kAside_m = 0.001;
+    const Vec3 reach = Vec3::Constant(radius);
+    const Bounds way{eye.cwiseMin(centre - reach), eye.cwiseMax(centre + reach)};
+    std::vector<std::uint32_t> found;
+    places.visit(way, [&](std::uint32_t i) {
+      if (overlap(bounds[i], way, kAside_m)) found.push_back(i);
+    });
+    sort_unique(found);
+    return found;
+  }
+  std::optional<WallShadow> shadow_of(std::uint32_t i, const Camera& camera) const {
+    return WallShadow::of({all[i].pose, all[i].size}, camera.at);
+  }
+  /// Of the walls that take up most of the view.
+  std::vector<WallShadow> shadows(const Camera& camera, double farthest) const {
+    constexpr std::size_t kMost = 12;
+    std::vector<WallShadow> found;
+    visit(camera, farthest, [&](std::uint32_t i) {
+      if (const auto shadow = shadow_of(i, camera)) found.push_back(*shadow);
+    });
+    const auto larger = [](const WallShadow& a, const WallShadow& b) { return a.angle() > b.angle(); };
+    std::sort(found.begin(), found.end(), larger);
+    if (found.size() > kMost) found.resize(kMost);
+    return found;
   }
 };
 
@@ -192,8 +226,12 @@ std::vector<VisibleObject> Viewer::view(const ViewedScene& around, const Agent& 
     seen.end = static_cast<std::uint32_t>(look->outlines.size());
     list.push_back(std::move(seen));
   };
+  const std::vector<WallShadow> shadows = walls_->shadows(camera, sight_m);
   const auto shown = [&](std::size_t i) {
-    return camera.may_show(scene.nodes[i].pose.position, sight_radius(scene.nodes[i])) && !around.hides(i);
+    const Vec3& at = scene.nodes[i].pose.position;
+    const double radius = sight_radius(scene.nodes[i]);
+    const auto hides = [&](const WallShadow& shadow) { return shadow.hides(at, radius); };
+    return camera.may_show(at, radius) && std::none_of(shadows.begin(), shadows.end(), hides) && !around.hides(i);
   };
   double farthest = 0;
   for (const std::size_t i : around.shown_within(camera, sight_m)) {
@@ -246,6 +284,13 @@ std::optional<PixelBox> Viewer::box_of(const ViewedScene& around, std::size_t ta
   const Camera camera = camera_of(eye, profile);
   if (!camera.may_show(scene.nodes[target].pose.position, sight_radius(scene.nodes[target]))) return std::nullopt;
   if (around.hides(target)) return std::nullopt;
+  const Vec3& middle = scene.nodes[target].pose.position;
+  const double radius = sight_radius(scene.nodes[target]);
+  const std::vector<std::uint32_t> walls = walls_->between(camera.at, middle, radius);
+  for (const std::uint32_t wall : walls) {
+    const auto shadow = walls_->shadow_of(wall, camera);
+    if (shadow && shadow->hides(middle, radius)) return std::nullopt;
+  }
   std::vector<Outline> outlines;
   add_outlines(body_of(scene, target)->solids, camera, outlines);
   if (outlines.empty()) return std::nullopt;
@@ -260,7 +305,9 @@ std::optional<PixelBox> Viewer::box_of(const ViewedScene& around, std::size_t ta
     if (around.hides(i)) continue;
     add_outlines(body_of(scene, i)->solids, camera, outlines);
   }
-  walls_->add_outlines(camera, farthest, outlines);
+  for (const std::uint32_t wall : walls) {
+    if (auto outline = outline_of(walls_->all[wall], camera)) outlines.push_back(*outline);
+  }
   return VisibleBoxes(camera, outlines).of(static_cast<std::int32_t>(target));
 }
 
