@@ -9,14 +9,6 @@ FailureDetail refusal(FailureCause cause, FailureReference object = {}, FailureR
   return {cause, std::move(object), std::move(other), {}};
 }
 
-/// Views are sorted by id.
-const VisibleObject* find_in(const std::vector<VisibleObject>& view, std::string_view id) {
-  const auto found =
-      std::lower_bound(view.begin(), view.end(), id,
-                       [](const VisibleObject& object, std::string_view wanted) { return object.id < wanted; });
-  return found == view.end() || found->id != id ? nullptr : &*found;
-}
-
 /// Whether the command itself is wrong, whatever the state of the world.
 bool is_invalid(FailureCause cause) {
   using enum FailureCause;
@@ -38,21 +30,20 @@ const std::vector<VisibleObject>& ModeEpisode::visible() const {
   return rules_.boxes ? world_.visible() : world_.pictured();
 }
 
-const VisibleObject* ModeEpisode::in_view(std::string_view id) const { return find_in(world_.pictured(), id); }
-
 bool ModeEpisode::was_seen(std::string_view id) const {
   return seen_.contains(id) || std::any_of(moments_seen_.rbegin(), moments_seen_.rend(),
                                            [&](MomentId moment) { return world_.at(moment).shows(id); });
 }
 
-const VisibleObject* ModeEpisode::best_match(const PixelBox& box) const {
-  const VisibleObject* best = nullptr;
+const std::string* ModeEpisode::best_match(const PixelBox& box) const {
+  if (const std::string* meant = world_.meant_by(box)) return meant;  // none overlaps more, nor as much before it
+  const std::string* best = nullptr;
   double most = kLeastOverlap;
   for (const VisibleObject& object : world_.pictured()) {
     const double overlap = overlap_of(box, object.box);
     if (overlap <= most) continue;
     most = overlap;
-    best = &object;
+    best = &object.id;
   }
   return best;
 }
@@ -112,9 +103,9 @@ std::variant<Action, FailureDetail> ModeEpisode::action_of(const Command& comman
     }
     if (naming_of(about, rules_) != Naming::Box)
       return refusal(FailureCause::NamedByBox, in_words(name_of(rules_.mode)));
-    const VisibleObject* object = best_match(*argument.box);
-    if (object == nullptr) return refusal(FailureCause::NoObjectAtBox);
-    action.args.push_back(object->id);
+    const std::string* id = best_match(*argument.box);
+    if (id == nullptr) return refusal(FailureCause::NoObjectAtBox);
+    action.args.push_back(*id);
   }
   return action;
 }
@@ -146,9 +137,9 @@ std::optional<Command> ModeEpisode::command_for(const Action& action) const {
   Command command = by_ids(action);
   for (Argument& argument : command.args) {
     if (naming_of(about, rules_) != Naming::Box || !refusal_of(about, argument.id)) continue;
-    const VisibleObject* object = in_view(argument.id);
-    if (object == nullptr || best_match(object->box) != object) return std::nullopt;
-    argument = {"", object->box};
+    const auto& box = world_.box_meaning(argument.id);
+    if (!box) return std::nullopt;
+    argument = {"", *box};
   }
   if (std::holds_alternative<FailureDetail>(action_of(command))) return std::nullopt;
   return command;

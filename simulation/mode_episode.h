@@ -62,9 +62,8 @@ class ModeEpisode {
   std::optional<FailureDetail> refusal_of(const ActionInfo& about, const std::string& id) const;
   bool may_go_to(const std::string& id) const;
   bool knows(const std::string& id) const;
-  const VisibleObject* in_view(std::string_view id) const;
-  bool was_seen(std::string_view id) const;  // was in view before some step
-  const VisibleObject* best_match(const PixelBox& box) const;
+  bool was_seen(std::string_view id) const;                  // was in view before some step
+  const std::string* best_match(const PixelBox& box) const;  // the id of an object in the picture
   Outcome count(const ActionResult& result);
 
   World world_;

@@ -80,6 +80,7 @@ void MomentTree::forget_all_but(MomentId moment) {
   go(moment);
   auto visible = std::move(moments_[moment.index()].visible);
   auto shown = std::move(moments_[moment.index()].shown);
+  auto boxes = std::move(moments_[moment.index()].boxes);
   moments_.clear();
   known_.clear();
   here_ = MomentId();
@@ -87,6 +88,7 @@ void MomentTree::forget_all_but(MomentId moment) {
   first.stopped = state_.stopped();
   first.visible = std::move(visible);
   first.shown = std::move(shown);
+  first.boxes = std::move(boxes);
   known_.emplace(Digest{}, here_);
 }
 
@@ -109,6 +111,22 @@ bool MomentTree::shows(MomentId moment, std::string_view id) {
   if (away > state.profile->sight_m) return false;
   known->second = viewer_.box_of(state.viewed(), *node, state.agent(), *state.profile).has_value();
   return known->second;
+}
+
+const std::optional<PixelBox>& MomentTree::box_meaning(MomentId moment, std::string_view id) {
+  const auto [known, fresh] = moments_[moment.index()].boxes.try_emplace(std::string(id));
+  if (!fresh) return known->second;
+  const WorldState& state = at(moment);
+  const auto node = state.index_of(id);
+  if (node) known->second = viewer_.first_with_box(state.viewed(), *node, state.agent(), *state.profile);
+  return known->second;
+}
+
+const std::string* MomentTree::meant_by(MomentId moment, const PixelBox& box) const {
+  for (const auto& [id, meaning] : moments_[moment.index()].boxes) {
+    if (meaning == box) return &id;
+  }
+  return nullptr;
 }
 
 }  // namespace unietp

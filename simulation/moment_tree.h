@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -37,6 +38,11 @@ class MomentTree {
   const std::vector<VisibleObject>& visible(MomentId moment, double sight_m);
   /// Whether the object is visible within the profile's limit of sight.
   bool shows(MomentId moment, std::string_view id);
+  /// Of the objects in the picture, without a limit of sight, that have just this box, the one with the least id is
+  /// meant by it. `box_meaning`: the box by which an object is meant so; nullopt where there is none. `meant_by`: the
+  /// object, of those that `box_meaning` was asked for; nullptr.
+  const std::optional<PixelBox>& box_meaning(MomentId moment, std::string_view id);
+  const std::string* meant_by(MomentId moment, const PixelBox& box) const;
   /// Renders views of the current state.
   Viewer& viewer() { return viewer_; }
 
@@ -47,9 +53,10 @@ class MomentTree {
     std::vector<Edit> log;  // from the parent to this moment
     Digest digest;
     bool stopped = false;
-    std::unordered_map<std::string, Step> steps;                     // by the action's text
-    std::unordered_map<double, std::vector<VisibleObject>> visible;  // by limit of sight, metres
-    std::unordered_map<std::string, bool> shown;                     // by id; only those that were asked for
+    std::unordered_map<std::string, Step> steps;                        // by the action's text
+    std::unordered_map<double, std::vector<VisibleObject>> visible;     // by limit of sight, metres
+    std::unordered_map<std::string, bool> shown;                        // by id; only those that were asked for
+    std::map<std::string, std::optional<PixelBox>, std::less<>> boxes;  // by the id that they mean; likewise
   };
   void go(MomentId to);
 

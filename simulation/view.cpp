@@ -311,4 +311,23 @@ std::optional<PixelBox> Viewer::box_of(const ViewedScene& around, std::size_t ta
   return VisibleBoxes(camera, outlines).of(static_cast<std::int32_t>(target));
 }
 
+std::optional<PixelBox> Viewer::first_with_box(const ViewedScene& around, std::size_t target, const Agent& eye,
+                                               const Profile& profile) {
+  const auto box = box_of(around, target, eye, profile);
+  if (!box) return std::nullopt;
+  const Scene& scene = around.scene;
+  const Camera camera = camera_of(eye, profile);
+  const auto covers_it = [&](const PixelBox& cover) { return unietp::around(cover, *box) == cover; };
+  for (const std::size_t i : around.shown_within(camera, kEndless_m)) {
+    const Node& node = scene.nodes[i];
+    const double radius = sight_radius(node);
+    if (node.id >= scene.nodes[target].id || !camera.may_show(node.pose.position, radius)) continue;
+    if (!covers_it(Ball(node.pose.position, radius, camera).cover)) continue;
+    std::vector<Outline> outlines;
+    add_outlines(body_of(scene, i)->solids, camera, outlines);
+    if (covers_it(cover_of(outlines)) && box_of(around, i, eye, profile) == box) return std::nullopt;
+  }
+  return box;
+}
+
 }  // namespace unietp

@@ -65,6 +65,11 @@ class World {
   const std::vector<VisibleObject>& pictured() const;
   /// Whether `visible` contains the object, without computing the whole view.
   bool shows(std::string_view id) const;
+  /// The box by which an object in the picture is meant; nullopt where the picture shows nothing of it, or an object
+  /// with a lesser id has the same box.
+  const std::optional<PixelBox>& box_meaning(std::string_view id) const;
+  /// The object that is meant by a box, of those whose `box_meaning` was asked for at this moment; nullptr.
+  const std::string* meant_by(const PixelBox& box) const;
   /// What the agent sees, as picture_of gives it, with the image size and angle of `lens`. `rays` is scratch space.
   Picture picture(const Profile& lens, Rays& rays) const;
   /// The object that a pixel of the image shows; nullptr for none. Valid until the next action.
