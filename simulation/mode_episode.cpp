@@ -110,7 +110,14 @@ std::variant<Action, FailureDetail> ModeEpisode::action_of(const Command& comman
   return action;
 }
 
-Outcome ModeEpisode::count(const ActionResult& result) {
+bool ModeEpisode::may_name(const FailureReference& other) const {
+  const Node* node = other.id.empty() ? nullptr : world_.find(other.id);
+  if (node == nullptr || world_.holds(other.id) || (node->movable ? rules_.movables : rules_.furniture)) return true;
+  return world_.pictured_from(world_.agent(), other.id).has_value();
+}
+
+Outcome ModeEpisode::count(ActionResult result) {
+  if (!result.success && !may_name(result.detail.other)) result.detail.other = in_words("something");
   const bool counts = result.success || !rules_.invalid_is_free || !is_invalid(result.detail.cause);
   if (counts) ++steps_;
   if (counts && !result.success) ++failures_;

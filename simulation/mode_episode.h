@@ -64,7 +64,9 @@ class ModeEpisode {
   bool knows(const std::string& id) const;
   bool was_seen(std::string_view id) const;                  // was in view before some step
   const std::string* best_match(const PixelBox& box) const;  // the id of an object in the picture
-  Outcome count(const ActionResult& result);
+  /// Whether feedback may say what something is that is not the action's object.
+  bool may_name(const FailureReference& other) const;
+  Outcome count(ActionResult result);
 
   World world_;
   ModeRules rules_;

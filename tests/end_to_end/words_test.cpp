@@ -63,7 +63,10 @@ class Shown {
   /// Everything in the picture, and in the hand.
   void look(const Environment& now) {
     std::set<std::string> ids;
-    for (const VisibleObject& object : now.pictured()) ids.insert(object.id);
+    for (const VisibleObject& object : now.pictured()) {
+      ids.insert(object.id);
+      known_.insert(plain(object.id));  // "egg_cracked_16" names no egg
+    }
     const Observation& seen = now.observe();
     for (const HeldObject& held : seen.held.value_or(std::vector<HeldObject>())) show(held.category);
     for (const Node& node : now.scene().nodes) {

@@ -1,6 +1,9 @@
 // The rules of the modes, one by one: what an agent may name, the feedback when it may not, and when an episode ends.
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
+#include "core/rng.h"
 #include "simulation/mode_episode.h"
 #include "simulation/relations.h"
 #include "tests/simulation/kitchen.h"
@@ -129,6 +132,39 @@ TEST_F(AnEpisode, NamesInM3NoIdInItsFeedback) {
   const Outcome outcome = m3.step(say("pick_up", seen(m3, "fridge_1")->box));
   EXPECT_EQ(outcome.failure, Failure::NotPickupable);
   EXPECT_EQ(outcome.feedback, "The fridge cannot be picked up.");
+}
+
+/// Moves what it holds about until it hits things, some of which the picture does not show.
+TEST_F(AnEpisode, NamesInM3NothingThatTheHandHitsOutOfThePicture) {
+  Rng rng(4);
+  ModeEpisode m1 = episode(Mode::M1);
+  expect_done(m1, say("go_to", "mug_1"));
+  expect_done(m1, say("pick_up", "mug_1"));
+  int hidden = 0, named = 0;
+  for (int i = 0; i < 400; ++i) {
+    if (i % 20 == 0) (void)m1.step(say("go_to", rng.pick(m1.world().nodes()).id));
+    ModeEpisode m3(m1.world(), Mode::M3);
+    for (const char* turn : {"turn_left", "look_up"}) {
+      for (std::uint64_t times = rng.below(4); times > 0; --times) (void)m3.step(say(turn));
+    }
+    for (int k = 0; k < 8; ++k) {
+      static const std::vector<std::string> kMoves{"move_hand_left", "move_hand_right", "move_hand_forward",
+                                                   "move_forward"};
+      const Outcome outcome = m3.step(say(rng.pick(kMoves)));
+      if (outcome.failure != Failure::Blocked) continue;
+      ++(outcome.feedback.find("something") == std::string::npos ? named : hidden);
+      for (const Node& node : m3.world().scene().nodes) {
+        const std::string name = knowledge_.find(node.category)->display;
+        const bool shown = std::any_of(m3.visible().begin(), m3.visible().end(), [&](const VisibleObject& object) {
+          return find_node(m3.world().scene(), object.id)->category == node.category;
+        });
+        if (shown || node.category == "Mug") continue;  // which it holds
+        EXPECT_EQ(outcome.feedback.find(" " + name), std::string::npos) << outcome.feedback;
+      }
+    }
+  }
+  EXPECT_GT(hidden, 0);
+  EXPECT_GT(named, 0);
 }
 
 TEST_F(AnEpisode, SaysAnActionAsTheModeWantsIt) {
