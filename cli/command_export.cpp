@@ -54,10 +54,11 @@ void add_to(CommandParser& command, FormatOption& special) {
     special.option = command.add_option(name, special.values, help)->delimiter(',')->one_each()->type_name("NAME,...");
   } else {
     special.value = described.fallback;
-    special.option = command.add_option(name, special.value, help)->type_name("NAME");
+    special.option =
+        command.add_option(name, special.value, help)->type_name(described.choices.empty() ? "VALUE" : "NAME");
     if (!described.fallback.empty()) special.option->shows_default();
   }
-  special.option->one_of(described.choices);
+  if (!described.choices.empty()) special.option->one_of(described.choices);
 }
 
 /// The request's options for a format. Errors: Usage for an option that the format does not take.

@@ -23,12 +23,12 @@ std::map<std::string, std::string> names_of(const Scene& start, const BddlSynset
 }
 
 /// What an object rests on or in, and the floor that it stands on.
-struct Rest {
+struct RestingPlace {
   std::string relation, on;  // "" when it rests on nothing that has a name
   std::string floor;         // a room's id
 };
-Rest rest_of(const Scene& start, const std::string& id) {
-  Rest rest;
+RestingPlace rest_of(const Scene& start, const std::string& id) {
+  RestingPlace rest;
   for (const Edge& edge : start.edges) {
     if (edge.from != id) continue;
     if (edge.relation == Predicate::Inside || (edge.relation == Predicate::On && rest.on.empty()))
@@ -58,7 +58,7 @@ class BddlProblem {
         fact("inroom " + name->second + " " + room->type);
       return Done{};
     }
-    const Rest rest = rest_of(start_, id);
+    const RestingPlace rest = rest_of(start_, id);
     if (!rest.on.empty()) {
       if (auto below = take(rest.on); !below) return below;
       fact(rest.relation + " " + name->second + " " + names_.at(rest.on));

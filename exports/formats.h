@@ -15,7 +15,7 @@ namespace unietp {
 struct ExportOption {
   std::string name;                  // without dashes: "unit"
   std::string help;                  // one line, capitalized, no full stop
-  std::vector<std::string> choices;  // accepted values
+  std::vector<std::string> choices;  // accepted values; empty: the format says which
   std::string fallback;              // the value when the option is not given; "": none
   bool flag = false;                 // takes no value
   bool list = false;                 // takes several of the choices, separated by commas

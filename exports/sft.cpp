@@ -1,6 +1,7 @@
 #include "exports/sft.h"
 
 #include <algorithm>
+#include <charconv>
 #include <optional>
 
 #include <nlohmann/json.hpp>
@@ -13,6 +14,7 @@
 #include "environment/agent_text.h"
 #include "exports/formats.h"
 #include "exports/sft_chat.h"
+#include "exports/sft_mistakes.h"
 #include "simulation/mode_rules.h"
 #include "simulation/picture.h"
 
@@ -22,13 +24,14 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
+constexpr double kMostMistakes = 0.5;
 constexpr const char* kPicture = "<image>";  // stands for a picture in a text
 
 /// The samples of one task in one mode.
 struct Samples {
   std::string lines, trl_lines;  // the second only with pictures
   std::vector<std::pair<std::string, std::string>> pictures;
-  std::size_t count = 0;
+  std::size_t count = 0, mistakes = 0;
 };
 
 /// A chat under construction in both forms: one text with <image> marks, and a list of parts.
@@ -80,12 +83,24 @@ class Maker {
   Maker(const std::vector<ValidationBackend>& backends, const SftOptions& options)
       : backends_(backends), options_(options), pictures_(options.observation != SftObservation::Boxes) {}
 
-  Result<Samples> make(const FinishedTask& task, Mode mode) const {
+  Result<Samples> make(FinishedTask task, Mode mode) const {
     const auto& backend = backend_of(backends_, task.start);
+    std::vector<bool> mistakes(task.shown.at(mode).steps.size(), false);
+    if (options_.mistakes > 0) {
+      auto erring = with_mistakes(task, mode, backend, options_.mistakes);
+      if (!erring) return erring.error();
+      task.shown.at(mode) = std::move(erring->shown);
+      mistakes = std::move(erring->mistakes);
+    }
     const bool boxes = options_.observation != SftObservation::Image && rules_of(mode).boxes;
     const auto view = !boxes ? SftView::Picture : pictures_ ? SftView::Boxes : SftView::Words;
-    const SftChat chat = chat_of(task, mode, backend, view, options_.reasoning);
+    SftChat chat = chat_of(task, mode, backend, view, options_.reasoning);
     Samples samples;
+    for (std::size_t i = 0; i < mistakes.size(); ++i) {
+      if (!mistakes[i]) continue;
+      chat.turns[i].worth_learning = false;
+      ++samples.mistakes;
+    }
     std::vector<std::string> files;
     Rays rays;
     for (std::size_t i = 0; i < chat.turns.size() && pictures_; ++i) {
@@ -101,8 +116,9 @@ class Maker {
     if (options_.unit == SftUnit::Episode) {
       add(samples, episode(id, chat, files));
     } else {
-      for (std::size_t i = 0; i < chat.turns.size(); ++i)
-        add(samples, step(id + "/" + std::to_string(i + 1), chat, i, files[i]));
+      for (std::size_t i = 0; i < chat.turns.size(); ++i) {
+        if (!mistakes[i]) add(samples, step(id + "/" + std::to_string(i + 1), chat, i, files[i]));
+      }
     }
     return samples;
   }
@@ -201,6 +217,7 @@ Result<SftExport> export_sft(const fs::path& dataset, const std::vector<Validati
           [&](Samples&& samples) -> Result<Done> {
             made.samples += samples.count;
             made.pictures += samples.pictures.size();
+            made.mistakes += samples.mistakes;
             for (const auto& [name, bytes] : samples.pictures) {
               if (auto drawn = write_file(aside, name, bytes); !drawn) return drawn;
             }
@@ -221,8 +238,21 @@ Result<SftExport> export_sft(const fs::path& dataset, const std::vector<Validati
 
 namespace {
 
-SftOptions options_of(const ExportRequest& request) {
+std::optional<double> number_in(std::string_view text) {
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc() && end == text.data() + text.size() ? std::optional(number) : std::nullopt;
+}
+
+/// Errors: Usage for a share of mistakes that is none.
+Result<SftOptions> options_of(const ExportRequest& request) {
   SftOptions options;
+  if (const std::string given = request.value("mistakes"); !given.empty()) {
+    const auto share = number_in(given);
+    if (!share || !(*share >= 0 && *share <= kMostMistakes))
+      return Error{Error::Kind::Usage, "--mistakes", {}, "is \"" + given + "\"; expected a number from 0 to 0.5"};
+    options.mistakes = *share;
+  }
   options.unit = request.value("unit") == "step" ? SftUnit::Step : SftUnit::Episode;
   const auto observation = request.value("observation");
   options.observation = observation == "both"    ? SftObservation::Both
@@ -244,10 +274,13 @@ std::string names_of(const std::vector<Mode>& modes) {
 }
 
 Result<std::string> write_sft(const ExportRequest& request) {
-  const auto made = export_sft(request.dataset, request.backends, options_of(request), request.out);
+  const auto options = options_of(request);
+  if (!options) return options.error();
+  const auto made = export_sft(request.dataset, request.backends, *options, request.out);
   if (!made) return made.error();
   std::string summary =
       std::to_string(made->samples) + " samples of " + names_of(made->modes) + " in " + request.out.string();
+  if (options->mistakes > 0) summary += ", " + std::to_string(made->mistakes) + " mistakes";
   if (made->pictures > 0) summary += ", " + std::to_string(made->pictures) + " pictures";
   if (!made->left_out.empty())
     summary += "\n" + names_of(made->left_out) + " left out: it shows only pictures; use --observation image or both";
@@ -262,7 +295,8 @@ ExportFormat sft_format() {
           {{"unit", "What a sample is", {"episode", "step"}, "episode"},
            {"observation", "What the agent is shown", {"boxes", "image", "both"}, "boxes"},
            {"modes", "Modes to write (default: all that the data set has)", {"M1", "M2", "M3"}, "", false, true},
-           {"reasoning", "Add a short rationale before each action", {}, "", true}},
+           {"reasoning", "Add a short rationale before each action", {}, "", true},
+           {"mistakes", "Put a wrong action, not learned, before this share of the steps: 0 to 0.5", {}, ""}},
           true,
           write_sft};
 }

@@ -17,13 +17,14 @@ struct SftOptions {
   SftUnit unit = SftUnit::Episode;
   SftObservation observation = SftObservation::Boxes;
   bool reasoning = false;
+  double mistakes = 0;      // before how many of the steps a wrong action is put (with_mistakes), in [0, 0.5]
   std::vector<Mode> modes;  // empty: all that the data set has and that can be shown
   int threads = 1;
 };
 
 /// What was written.
 struct SftExport {
-  std::size_t samples = 0, pictures = 0;
+  std::size_t samples = 0, pictures = 0, mistakes = 0;
   std::vector<Mode> modes;     // written
   std::vector<Mode> left_out;  // need pictures
 };

@@ -322,5 +322,60 @@ TEST(ExportSft, WhatCannotBeShownIsRefused) {
   EXPECT_FALSE(fs::exists(scratch.at("sft")));
 }
 
+/// The answers that are not learned are mistakes: they fail, or are undone at once; without them and what undoes them,
+/// what is left is the demonstration.
+TEST(ExportSft, PutsMistakesWithTheirFeedbackAmongTheSteps) {
+  const ScratchFolder scratch;
+  const fs::path with = scratch.at("with"), again = scratch.at("again"), without = scratch.at("without");
+  export_sft(with, {"--mistakes", "0.5"});
+  export_sft(again, {"--mistakes", "0.5", "--threads", "2"});
+  export_sft(without, {"--mistakes", "0"});
+  std::set<std::string> reasons;
+  std::size_t undone = 0;
+  for (const std::string mode : {"M1", "M2"}) {
+    SCOPED_TRACE(mode);
+    EXPECT_EQ(*read_file(with / (mode + ".jsonl")), *read_file(again / (mode + ".jsonl")));
+    const auto lines = json_lines(with / (mode + ".jsonl")), right = json_lines(without / (mode + ".jsonl"));
+    ASSERT_EQ(lines.size(), right.size());
+    std::size_t failed = 0, unchanged = 0;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      expect_marked_chat(lines[i], with);
+      std::vector<std::string> kept, wanted;
+      const Json& messages = lines[i]["messages"];
+      for (std::size_t k = 2; k < messages.size(); k += 2) {
+        if (messages[k]["loss"] == true) {
+          kept.push_back(messages[k]["content"]);
+          continue;
+        }
+        const std::string told = messages[k + 1]["content"];
+        const std::string reason = told.substr(0, told.find('\n'));
+        if (reason.find("failed") != std::string::npos) {
+          ++failed;
+          reasons.insert(reason.substr(reason.rfind(' ')));
+        } else {
+          ++undone;
+          EXPECT_THAT(messages[k + 2]["content"].get<std::string>(), HasSubstr("place_"));
+          k += 2;
+        }
+      }
+      for (std::size_t k = 2; k < right[i]["messages"].size(); k += 2) {
+        EXPECT_EQ(right[i]["messages"][k]["loss"], true);
+        wanted.push_back(right[i]["messages"][k]["content"]);
+      }
+      EXPECT_EQ(kept, wanted);
+      unchanged += messages.size() == right[i]["messages"].size() ? 1 : 0;
+    }
+    EXPECT_GT(failed, lines.size() / 4);
+    EXPECT_LT(unchanged, lines.size() * 3 / 4);
+  }
+  EXPECT_GT(undone, 0U);
+  EXPECT_GE(reasons.size(), 3U);
+  for (const std::string bad : {"0.6", "-1", "nan", "much"}) {
+    const auto ended = run_program(
+        {"export", data_set_in_all_modes().string(), "--format", "sft", "--out", scratch.at("bad"), "--mistakes", bad});
+    EXPECT_EQ(ended.code, 2) << bad;
+  }
+}
+
 }  // namespace
 }  // namespace unietp
