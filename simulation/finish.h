@@ -19,6 +19,7 @@ struct Look {
   bool folds_up = false;                // two slabs on a hinge
   bool window = false;                  // the outdoors is seen through it
   double level = 0;                     // of its filling, in parts of its height; 0: empty
+  bool pool = false;                    // its filling is a solid of its own, in a hollow
   Colour filling = Colour::Zero();      // of what fills it
   Colour cover = Colour::Constant(-1);  // of what covers it; negative: nothing
 };
@@ -51,7 +52,7 @@ Finish matter_finish(const Look& look, const SurfacePoint& point);
 /// Adds what the states of the object change.
 void show_states(const Look& look, const SurfacePoint& point, Finish& finish);
 
-/// The color of what fills it, lighter or darker where it is too near to that of the body.
+/// The color of what fills it, lighter or darker where it is too near to that of the body or of its hollow.
 Colour shown_filling(const Look& look);
 
 /// The color this share of the way from `a` to `b`.

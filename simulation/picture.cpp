@@ -44,6 +44,9 @@ class Painter {
       bodies_.push_back({shown.pose.rotation.toRotationMatrix().transpose(), shown.pose.position});
       looks_.push_back(look_of(shown, family_of(shown, scene.simulator)));
     }
+    for (const Solid& solid : rays.solids()) {
+      if (solid.skin == Skin::Liquid) looks_[static_cast<std::size_t>(solid.owner)].pool = true;
+    }
     sources_ = light_sources(scene, looks_, camera, kLamps_m);
   }
 
