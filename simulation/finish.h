@@ -26,6 +26,9 @@ struct Look {
 /// `family`: the shape that it is seen as, or nullptr.
 Look look_of(const Node& node, const ShapeFamily* family = nullptr);
 
+/// Whether the outdoors is seen through it.
+bool is_window(const Node& node);
+
 /// A point of an object's surface.
 struct SurfacePoint {
   Vec3 at = Vec3::Zero();      // object frame, metres; of doors and lids: their own frame

@@ -5,14 +5,11 @@
 #include "simulation/noise.h"
 
 namespace unietp {
-namespace {
 
 bool is_window(const Node& node) {
   if (node.archetype != Archetype::Panel) return false;
   return node.category.find("indow") != std::string::npos && node.category.find("sill") == std::string::npos;
 }
-
-}  // namespace
 
 Look look_of(const Node& node, const ShapeFamily* family) {
   Look look;

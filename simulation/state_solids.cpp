@@ -53,7 +53,8 @@ Solid filling_of(const Solid& vessel, double full) {
   return filling;
 }
 
-void add_liquid(const Shape& shape, double level, double opening, std::size_t first, std::vector<Solid>& solids, Extras& extras) {
+void add_liquid(const Shape& shape, double level, double opening, std::size_t first, std::vector<Solid>& solids,
+                Extras& extras) {
   for (std::size_t i = first; i < solids.size(); ++i) {
     if (solids[i].kind != SolidKind::Cup && solids[i].kind != SolidKind::Crate) continue;
     solids.push_back(filling_of(solids[i], level));
