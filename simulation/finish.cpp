@@ -201,6 +201,7 @@ Finish finish_of(const Look& look, const SurfacePoint& point) {
   Finish finish{skin_colour(look, point)};
   finish.gloss = point.skin == Skin::Liquid || point.skin == Skin::Water ? 0.8 : 0.2;
   finish.glows = point.skin == Skin::Flame;
+  if (point.skin == Skin::Liquid) finish.clear = 0.15;  // what lies in it is seen
   return finish;
 }
 

@@ -19,11 +19,15 @@ struct Look {
   bool folds_up = false;                // two slabs on a hinge
   bool window = false;                  // the outdoors is seen through it
   double level = 0;                     // of its filling, in parts of its height; 0: empty
+  bool pool = false;                    // its filling is a solid of its own, in a hollow
   Colour filling = Colour::Zero();      // of what fills it
   Colour cover = Colour::Constant(-1);  // of what covers it; negative: nothing
 };
 /// `family`: the shape that it is seen as, or nullptr.
 Look look_of(const Node& node, const ShapeFamily* family = nullptr);
+
+/// Whether the outdoors is seen through it.
+bool is_window(const Node& node);
 
 /// A point of an object's surface.
 struct SurfacePoint {
@@ -51,7 +55,7 @@ Finish matter_finish(const Look& look, const SurfacePoint& point);
 /// Adds what the states of the object change.
 void show_states(const Look& look, const SurfacePoint& point, Finish& finish);
 
-/// The color of what fills it, lighter or darker where it is too near to that of the body.
+/// The color of what fills it, lighter or darker where it is too near to that of the body or of its hollow.
 Colour shown_filling(const Look& look);
 
 /// The color this share of the way from `a` to `b`.

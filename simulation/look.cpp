@@ -5,14 +5,11 @@
 #include "simulation/noise.h"
 
 namespace unietp {
-namespace {
 
 bool is_window(const Node& node) {
   if (node.archetype != Archetype::Panel) return false;
   return node.category.find("indow") != std::string::npos && node.category.find("sill") == std::string::npos;
 }
-
-}  // namespace
 
 Look look_of(const Node& node, const ShapeFamily* family) {
   Look look;
@@ -43,7 +40,7 @@ Look look_of(const Node& node, const ShapeFamily* family) {
   for (const State& state : states.all()) {
     if (state.predicate == Predicate::Covered) look.cover = substance_paint(state.symbol);
     if (state.predicate != Predicate::Filled) continue;
-    constexpr double kFull = 0.72;
+    constexpr double kFull = 0.9;
     look.level = kFull;
     look.filling = substance_paint(state.symbol);
   }
@@ -51,9 +48,15 @@ Look look_of(const Node& node, const ShapeFamily* family) {
 }
 
 Colour shown_filling(const Look& look) {
-  constexpr double kNear = 85;
-  if ((look.filling - look.base).cwiseAbs().maxCoeff() > kNear) return look.filling;
-  return look.base.maxCoeff() < 128 ? mixed(look.filling, {236, 196, 150}, 0.45) : Colour(look.filling * 0.6);
+  constexpr double kNear = 85, kInside = 0.55;  // a hollow is darker than the body
+  const auto apart = [&](const Colour& colour) {
+    return std::min((colour - look.base).cwiseAbs().maxCoeff(), (colour - kInside * look.base).cwiseAbs().maxCoeff());
+  };
+  Colour best = look.filling;
+  for (const Colour& other : {Colour(look.filling * 0.6), mixed(look.filling, {244, 232, 214}, 0.5)}) {
+    if (apart(best) < kNear && apart(other) > apart(best)) best = other;
+  }
+  return best;
 }
 
 }  // namespace unietp

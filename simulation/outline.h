@@ -47,11 +47,12 @@ struct ManyOverImage {
 /// exactly where none of its `sides` is negative, and there 1 / depth is the minimum of its `faces`.
 struct Outline {
   Outline(const Solid& solid, const Camera& camera)
-      : owner(solid.owner), target(solid), from(target.to_own * (camera.at - target.centre)) {}
+      : owner(solid.owner), clear(solid.clear), target(solid), from(target.to_own * (camera.at - target.centre)) {}
 
   PixelBox cover{};                  // bounds of the pixels that it may cover
   double nearest = 0, farthest = 0;  // depth, metres
   std::int32_t owner;
+  bool clear;          // hides nothing
   bool round = false;  // no box: sides and faces are those of the box around it
   std::uint8_t side_count = 0, face_count = 0;
   ManyOverImage<4> faces;

@@ -20,6 +20,7 @@ constexpr double kLamps_m = 9;     // farther lamps are not lit
 constexpr int kStep = 4;           // pixels between the first rays
 constexpr double kThin = 1.5 * kStep,
                  kNear_m = 0.05;  // what is narrower (in pixels, at this depth or more) is looked for
+constexpr double kInto_m = 1e-6;  // from a clear face to where the ray goes on
 const Vec3 kSun = Vec3(0.35, 0.2, 0.9).normalized();
 
 /// What a pixel shows: a face of a solid, the floor, the ceiling or an opening.
@@ -43,6 +44,9 @@ class Painter {
       const Node& shown = held == in_hand.end() ? node : *held;
       bodies_.push_back({shown.pose.rotation.toRotationMatrix().transpose(), shown.pose.position});
       looks_.push_back(look_of(shown, family_of(shown, scene.simulator)));
+    }
+    for (const Solid& solid : rays.solids()) {
+      if (solid.skin == Skin::Liquid) looks_[static_cast<std::size_t>(solid.owner)].pool = true;
     }
     sources_ = light_sources(scene, looks_, camera, kLamps_m);
   }
@@ -164,23 +168,21 @@ class Painter {
 
   Colour colour_at(int x, int y) {
     const Spot& spot = spots_[index(x, y)];
-    return colour_of(spot, camera_.at, way(x, y), light_at(x, y), 0);
+    return colour_of(spot, camera_.at, way(x, y), light_at(x, y));
   }
 
-  /// Of a spot on a ray, lit, with what is seen through it. `through`: how many clear faces lie before it.
-  Colour colour_of(const Spot& spot, const Vec3& from, const Vec3& direction, const Vec3& light, int through) {
+  /// Of a spot on a ray, lit, with what is seen through it.
+  Colour colour_of(const Spot& spot, const Vec3& from, const Vec3& direction, const Vec3& light) {
     const Vec3 at = from + spot.depth * direction;
     const Finish finish = finish_at(spot, at, direction);
     if (finish.glows) return finish.colour;
     Colour colour = finish.colour.cwiseProduct(light);
-    constexpr int kMostThrough = 3;
-    if (finish.clear > 0 && through < kMostThrough) {
-      constexpr double kInto_m = 0.0005;
+    if (finish.clear > 0) {
       const Vec3 inside = at + kInto_m * direction.normalized();
       const auto hit = rays_.first(inside, direction, kEverywhere_m);
       const Spot next =
           hit ? Spot{static_cast<std::int32_t>(hit->solid), hit->along, hit->normal} : shell(inside, direction);
-      const Colour behind = colour_of(next, inside, direction, lit(next, inside, direction), through + 1);
+      const Colour behind = colour_of(next, inside, direction, lit(next, inside, direction));
       colour = mixed(colour, behind.cwiseProduct(Vec3(0.94, 0.98, 1.0)), finish.clear);
     }
     return finish.gloss > 0 ? shining(colour, finish.gloss, spot.normal, direction) : colour;
@@ -250,6 +252,7 @@ class Painter {
       point.inner = point.at.cwiseQuotient(look.half);
     }
     Finish finish = finish_of(look, point);
+    if (!solid.clear && solid.skin != Skin::Liquid) finish.clear = 0;
     constexpr double kDoor = 0.93;  // doors are slightly darker than the body
     if (solid.moves && !finish.glows) finish.colour *= kDoor;
     if (on_handle(solid, point)) finish = {{62, 62, 66}, 0.6};
@@ -364,12 +367,21 @@ class Painter {
 Segmentation segmentation_of(const Scene& scene, const Profile& profile, Rays& rays) {
   const Camera camera = camera_of(scene.agent, profile);
   rays.build(solids_of(scene, camera, kEverywhere_m, hidden_from_sight(scene)));
-  Segmentation image{camera.width, camera.height, {}};
+  Segmentation image{camera.width, camera.height, {}, {}};
   image.node.reserve(static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height));
   for (int y = 0; y < camera.height; ++y) {
     for (int x = 0; x < camera.width; ++x) {
-      const auto hit = rays.first(camera.at, camera.ray(x + 0.5, y + 0.5), kEverywhere_m);
-      image.node.push_back(hit ? rays.solids()[hit->solid].owner : -1);
+      const Vec3 direction = camera.ray(x + 0.5, y + 0.5);
+      Vec3 from = camera.at;
+      auto hit = rays.first(from, direction, kEverywhere_m);
+      const auto owner = [&] { return hit ? rays.solids()[hit->solid].owner : -1; };
+      const std::size_t pixel = image.node.size();
+      image.node.push_back(owner());
+      while (hit && rays.solids()[hit->solid].clear) {
+        from += hit->along * direction + kInto_m * direction.normalized();
+        hit = rays.first(from, direction, kEverywhere_m);
+        if (owner() >= 0) image.through.push_back({pixel, owner()});
+      }
     }
   }
   return image;

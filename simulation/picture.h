@@ -21,11 +21,19 @@ struct Picture {
 
 /// Which node each pixel shows, rows from the top; -1 for walls, floor, ceiling and openings.
 struct Segmentation {
+  /// A node that a pixel shows through glass that lies before it.
+  struct Through {
+    std::size_t pixel = 0;
+    std::int32_t node = -1;
+    auto operator<=>(const Through&) const = default;
+  };
   int width = 0, height = 0;
-  std::vector<std::int32_t> node;
+  std::vector<std::int32_t> node;  // the nearest
+  std::vector<Through> through;    // by pixel, the nearest first; one may come again
 };
 
-/// One ray through the middle of every pixel, without a limit of sight. `rays` is scratch space.
+/// One ray through the middle of every pixel, through all glass on its way, without a limit of sight. `rays` is scratch
+/// space.
 Segmentation segmentation_of(const Scene& scene, const Profile& profile, Rays& rays);
 
 /// What the agent sees: every object in its colour, or that of its material, lit from above with short shadows, with

@@ -21,7 +21,7 @@ inline SolidKind kind_of(Part::Kind kind) {
                                         : SolidKind::Sphere;
 }
 
-/// An opaque solid in W.
+/// A solid in W.
 struct Solid {
   SolidKind kind = SolidKind::Box;
   Pose pose;
@@ -40,6 +40,7 @@ struct Solid {
   std::optional<Matter> matter{};  // nullopt: the object's
   double handle = 0;               // of doors and drawers: 1 or -1: on the right or left side; 2: across
   bool screen = false;             // shows a picture when the object is on
+  bool clear = false;              // what is behind it is seen through it
 };
 
 }  // namespace unietp

@@ -7,6 +7,7 @@
 
 #include "scene/archetype_dimensions.h"
 #include "shapes/library.h"
+#include "simulation/finish.h"
 #include "simulation/noise.h"
 #include "simulation/relations.h"
 #include "simulation/shape.h"
@@ -64,6 +65,14 @@ void add_archetype(const Node& node, std::int32_t owner, std::vector<Solid>& sol
   }
 }
 
+/// Whether what is behind a thing's glass is seen: not through frost, nor through the glass of a window, a lamp or
+/// another device, which show something else.
+bool seen_through(const Node& node) {
+  const StateSet& states = node.states;
+  return !states.has(Predicate::Frozen) && !states.has(Predicate::PowerOn) && !states.has(Predicate::PowerOff) &&
+         !is_window(node);
+}
+
 }  // namespace
 
 std::vector<std::size_t> hidden_from_sight(const Scene& scene) {
@@ -101,11 +110,16 @@ const ShapeFamily* family_of(const Node& node, Simulator simulator) {
 
 void add_solids(const Node& node, std::int32_t owner, Simulator simulator, std::vector<Solid>& solids) {
   const ShapeFamily* family = family_of(node, simulator);
+  const std::size_t first = solids.size();
   if (family != nullptr) {  // first, since of two equally near solids the first is seen
     for (const Piece& piece : pieces_of(*family, {node.size, vessel_wall(node.size), number_of(node.id), node.states}))
       add_piece(piece, node, owner, solids);
   }
   if (family == nullptr || family->keeps_body) add_archetype(node, owner, solids);
+  if (!seen_through(node)) return;
+  const Matter own = matter_of(node, family);
+  for (std::size_t i = first; i < solids.size(); ++i)
+    solids[i].clear = !solids[i].screen && solids[i].matter.value_or(own) == Matter::Glass;
 }
 
 void add_shown(const Node& node, std::int32_t owner, Simulator simulator, std::vector<Solid>& solids) {

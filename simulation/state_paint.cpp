@@ -142,16 +142,20 @@ void used_up(const Look& look, const SurfacePoint& point, Finish& finish) {
   finish.gloss = 0;
 }
 
-/// A level on the outside, of things through which it shows or that show none in a hollow.
+/// Of things whose shape has no hollow in which it stands: as through a round opening above, and of glass a level on
+/// the outside.
 void filled(const Look& look, const SurfacePoint& point, Finish& finish) {
   const double line = 2 * look.level - 1;
-  const bool below = point.inner.z() < line;
   const Colour filling = shown_filling(look);
-  if (point.normal.z() > 0.7) {
-    if (point.inner.head<2>().cwiseAbs().maxCoeff() < 0.7) finish.colour = filling;
+  if (finish.clear == 0) {
+    constexpr double kOpening = 0.62, kRim = 0.74;
+    const double away = point.inner.head<2>().norm();
+    if (point.normal.z() < 0.25 || away > kRim) return;
+    finish.colour = away < kOpening ? filling : Colour(finish.colour * 0.6);
+    if (away < kOpening) finish.gloss = 0.8;
     return;
   }
-  if (!below) return;
+  if (point.inner.z() >= line) return;
   finish.colour = mixed(finish.colour, filling, 0.8);
   if (line - point.inner.z() < 0.07) finish.colour = mixed(finish.colour, {255, 255, 255}, 0.4);
   finish.clear *= 0.25;
@@ -256,7 +260,7 @@ void power(const Look& look, const SurfacePoint& point, Finish& finish) {
 void show_states(const Look& look, const SurfacePoint& point, Finish& finish) {
   if (look.device != Device::None) power(look, point, finish);
   if (look.folded || look.unfolded) folds(look, point, finish);
-  if (look.level > 0) filled(look, point, finish);
+  if (look.level > 0 && !look.pool) filled(look, point, finish);
   if (look.cut) cut(look, point, finish);
   if (look.used_up) used_up(look, point, finish);
   if (look.cooked && !look.burnt) cooked(look, point, finish);

@@ -30,8 +30,13 @@ class Extras {
   std::vector<Solid>& solids_;
 };
 
+/// Nearer to the rim in what is narrow and deep, so that it is seen from where people look in.
+double level_in(double level, double wide, double tall) { return std::max(level, 1 - 0.12 * wide / tall); }
+
 /// The lower part of the hollow of a cup or crate.
-Solid filling_of(const Solid& vessel, double level) {
+Solid filling_of(const Solid& vessel, double full) {
+  const Vec3 half = vessel.axes.colwise().norm();
+  const double level = level_in(full, half.head<2>().minCoeff(), half.z());
   constexpr double kInside = 0.985;  // of the hollow's width
   const double bottom = -1 + vessel.floor, top = bottom + level * (1 - bottom);
   const Vec2 wall = Vec2::Constant(vessel.wall);
@@ -48,7 +53,8 @@ Solid filling_of(const Solid& vessel, double level) {
   return filling;
 }
 
-void add_liquid(const Shape& shape, double level, std::size_t first, std::vector<Solid>& solids, Extras& extras) {
+void add_liquid(const Shape& shape, double level, double opening, std::size_t first, std::vector<Solid>& solids,
+                Extras& extras) {
   for (std::size_t i = first; i < solids.size(); ++i) {
     if (solids[i].kind != SolidKind::Cup && solids[i].kind != SolidKind::Crate) continue;
     solids.push_back(filling_of(solids[i], level));
@@ -56,9 +62,10 @@ void add_liquid(const Shape& shape, double level, std::size_t first, std::vector
   }
   if (first < solids.size() && solids[first].sheared) return;  // its shape shows no hollow: a level on the outside does
   for (const Cavity& cavity : shape.cavities) {
-    if (!cavity.open_above || cavity.joint >= 0) continue;
-    const Vec3 size(2 * cavity.half.x(), 2 * cavity.half.y(), 2 * level * cavity.half.z());
-    extras.box(cavity.centre - Vec3(0, 0, cavity.half.z() * (1 - level)), size, Skin::Liquid);
+    if (!cavity.open_above || cavity.joint >= 0 || (cavity.closable && opening == 0)) continue;
+    const double full = level_in(level, cavity.half.head<2>().minCoeff(), cavity.half.z());
+    const Vec3 size(2 * cavity.half.x(), 2 * cavity.half.y(), 2 * full * cavity.half.z());
+    extras.box(cavity.centre - Vec3(0, 0, cavity.half.z() * (1 - full)), size, Skin::Liquid);
   }
 }
 
@@ -131,7 +138,7 @@ void add_state_solids(const Node& node, std::int32_t owner, std::size_t first, b
     return;
   Extras extras(node, owner, solids);
   const Shape shape = shape_of(node);
-  if (look.level > 0) add_liquid(shape, look.level, first, solids, extras);
+  if (look.level > 0) add_liquid(shape, look.level, node.opening, first, solids, extras);
   if (taps) add_water(node, shape, extras);
   if (look.on && look.device == Device::Flame) add_flame(extras);
   const auto swings = [](const Solid& solid) { return solid.moves; };

@@ -41,8 +41,8 @@ class Viewer {
   explicit Viewer(const Scene& scene);
 
   /// The objects whose box's centre is at most `sight_m` from the camera and of which the image shows a pixel, with the
-  /// box around those pixels: exactly what a ray through the middle of every pixel finds (segmentation_of), at the cost
-  /// of a few hundred. Sorted by id. `eye`: place, yaw and pitch.
+  /// box around those pixels: exactly what a ray through the middle of every pixel finds (segmentation_of), also
+  /// through glass, at the cost of a few hundred. Sorted by id. `eye`: place, yaw and pitch.
   std::vector<VisibleObject> view(const ViewedScene& around, const Agent& eye, const Profile& profile, double sight_m);
   /// The box of one object alone, without a limit of sight; nullopt when the image shows nothing of it.
   std::optional<PixelBox> box_of(const ViewedScene& around, std::size_t node, const Agent& eye, const Profile& profile);

@@ -92,6 +92,7 @@ std::optional<PixelBox> VisibleBoxes::of(std::int32_t owner) {
   others_.clear();
   for (const OutlineSummary& one : by_depth_) {
     if (one.nearest > farthest) break;
+    if (one.owner != owner && outlines_[one.outline].clear) continue;  // the owner is seen through it
     if (meet(one.cover, *cover)) (one.owner == owner ? own_ : others_).push_back({one.outline, false, one.nearest});
   }
   explore(*cover, {0, own_.size(), 0, others_.size()});

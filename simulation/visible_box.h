@@ -23,7 +23,8 @@ inline bool meet(const PixelBox& a, const PixelBox& b) {
   return a[0] <= b[2] && b[0] <= a[2] && a[1] <= b[3] && b[1] <= a[3];
 }
 
-/// Boxes around the visible pixels of an object, exactly as a ray through the center of each pixel would find them.
+/// Boxes around the visible pixels of an object, exactly as a ray through the center of each pixel would find them,
+/// through whatever glass lies before it.
 /// Branch and bound: a part of the image is split while it could enlarge the box and it is not known which solid is
 /// visible in it. Outlines and depths decide most parts; single pixels are decided by a ray.
 class VisibleBoxes {

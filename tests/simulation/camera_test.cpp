@@ -29,16 +29,15 @@ struct Seen {
 /// The box around the pixels of each node.
 std::vector<Seen> seen_in(const Segmentation& image, std::size_t nodes) {
   std::vector<Seen> seen(nodes);
-  for (int y = 0; y < image.height; ++y) {
-    for (int x = 0; x < image.width; ++x) {
-      const auto node =
-          image.node[static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x)];
-      if (node < 0) continue;
-      Seen& one = seen[static_cast<std::size_t>(node)];
-      ++one.pixels;
-      one.box = {std::min(one.box[0], x), std::min(one.box[1], y), std::max(one.box[2], x), std::max(one.box[3], y)};
-    }
-  }
+  const auto shows = [&](std::size_t pixel, std::int32_t node) {
+    if (node < 0) return;
+    const int x = static_cast<int>(pixel) % image.width, y = static_cast<int>(pixel) / image.width;
+    Seen& one = seen[static_cast<std::size_t>(node)];
+    ++one.pixels;
+    one.box = {std::min(one.box[0], x), std::min(one.box[1], y), std::max(one.box[2], x), std::max(one.box[3], y)};
+  };
+  for (std::size_t pixel = 0; pixel < image.node.size(); ++pixel) shows(pixel, image.node[pixel]);
+  for (const Segmentation::Through& one : image.through) shows(one.pixel, one.node);
   return seen;
 }
 
@@ -92,6 +91,43 @@ TEST_P(ACamera, ListsExactlyWhatARayThroughEveryPixelFinds) {
     listed += near.size();
   }
   EXPECT_GT(listed, 60U);
+}
+
+TEST_P(ACamera, ListsWhatIsSeenThroughGlassAsRaysFindIt) {
+  const Profile profile = profile_of(GetParam());
+  Rng rng(15);
+  Rays rays;
+  std::size_t only_through = 0;
+  for (int i = 0; i < 24; ++i) {
+    SCOPED_TRACE(i);
+    Scene scene = drawn_view(GetParam(), rng);
+    for (std::size_t n = 0; n < scene.nodes.size(); ++n) {
+      if (rng.chance(0.5)) scene.nodes.edit(n).material = "glass";
+    }
+    Node pane;  // right before the eye
+    pane.id = "pane_1";
+    pane.archetype = Archetype::Panel;
+    pane.size = Vec3(1, 0.02, 3);
+    pane.material = "glass";
+    const Vec2 ahead(std::cos(scene.agent.yaw), std::sin(scene.agent.yaw));
+    pane.pose =
+        upright(Vec3(scene.agent.position.x() + 0.2 * ahead.x(), scene.agent.position.y() + 0.2 * ahead.y(), 1.5),
+                scene.agent.yaw + std::acos(-1) / 2);
+    scene.nodes.push_back(pane);
+    const Segmentation image = segmentation_of(scene, profile, rays);
+    const auto seen = seen_in(image, scene.nodes.size());
+    const auto listed = Viewer(scene).view(viewed(scene), scene.agent, profile, kEndless_m);
+    std::vector<VisibleObject> expected;
+    for (std::size_t n = 0; n < scene.nodes.size(); ++n) {
+      if (seen[n].pixels == 0) continue;
+      expected.push_back({scene.nodes[n].id, seen[n].box});
+      const auto node = static_cast<std::int32_t>(n);
+      only_through += std::find(image.node.begin(), image.node.end(), node) == image.node.end() ? 1 : 0;
+    }
+    std::sort(expected.begin(), expected.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
+    EXPECT_EQ(listed, expected);
+  }
+  EXPECT_GT(only_through, 0U);
 }
 
 /// Where there are many things, only those near enough are looked at.

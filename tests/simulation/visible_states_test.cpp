@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include "simulation/picture.h"
+#include "simulation/portrait.h"
 #include "simulation/solids.h"
 #include "simulation/state_solids.h"
+#include "tests/support/committed_knowledge.h"
 
 namespace unietp {
 namespace {
@@ -105,9 +107,10 @@ std::vector<Pair> pairs() {
   return pairs;
 }
 
-/// No plate of any simulator is filled or soaked.
+/// No plate of any simulator is soaked, and what is filled has a hollow (VisibleFilling asks every such category).
 bool may_be(Archetype archetype, Predicate state) {
-  return archetype != Archetype::Plate || (state != Predicate::Filled && state != Predicate::Soaked);
+  if (state == Predicate::Filled) return archetype == Archetype::Vessel || archetype == Archetype::Basin;
+  return archetype != Archetype::Plate || state != Predicate::Soaked;
 }
 
 class VisibleState : public ::testing::TestWithParam<Archetype> {};
@@ -137,6 +140,60 @@ TEST_P(VisibleState, ChangesThePictureAtArmsLength) {
 
 INSTANTIATE_TEST_SUITE_P(All, VisibleState, ::testing::ValuesIn(all_archetypes().begin(), all_archetypes().end()),
                          [](const auto& archetype) { return std::string(name_of(archetype.param)); });
+
+/// How many pixels of two pictures of one size differ clearly.
+int clear_pixels(const Picture& one, const Picture& other) {
+  int pixels = 0;
+  for (std::size_t i = 0; i < one.rgb.size(); i += 3) {
+    double apart = 0;
+    for (std::size_t c = i; c < i + 3; ++c) apart += std::abs(one.rgb[c] - other.rgb[c]) / 3.0;
+    pixels += apart >= kClearly ? 1 : 0;
+  }
+  return pixels;
+}
+
+TEST(VisibleFilling, OfEveryCategoryThatCanBeFilledIsSeenFromAbove) {
+  std::size_t asked = 0;
+  for (const Simulator simulator : kSimulators) {
+    const Knowledge& knowledge = committed_knowledge(simulator);
+    Profile profile;
+    profile.simulator = simulator;
+    for (const Category& category : knowledge.categories()) {
+      if (!knowledge.has(category.name, "fillable")) continue;
+      SCOPED_TRACE(std::string(name_of(simulator)) + " " + category.name);
+      const Node empty = object_of(knowledge, category, 0);
+      Node full = empty;
+      full.states.set({Predicate::Filled, "water"});
+      const PortraitOptions view{.on_table = empty.movable};
+      EXPECT_GE(clear_pixels(portrait_of(empty, profile, view), portrait_of(full, profile, view)), kLeastPixels);
+      ++asked;
+    }
+  }
+  EXPECT_GE(asked, 60U);
+}
+
+/// From the side, at the height of the thing, only glass shows what is in it.
+TEST(VisibleFilling, IsSeenFromTheSideThroughGlassAlone) {
+  for (const char* category : {"Mug", "Bowl", "Pot", "Cup"}) {
+    for (const char* material : {"ceramic", "glass"}) {
+      SCOPED_TRACE(std::string(category) + " " + material);
+      const Knowledge& knowledge = committed_knowledge(Simulator::Ai2thor);
+      Node empty = object_of(knowledge, *knowledge.find(category), 0);
+      empty.material = material;
+      Node full = empty;
+      full.states.set({Predicate::Filled, "coffee"});
+      const PortraitOptions level{.down_rad = 0, .on_table = false};
+      Profile profile;
+      profile.simulator = Simulator::Ai2thor;
+      const int differing = clear_pixels(portrait_of(empty, profile, level), portrait_of(full, profile, level));
+      if (std::string(material) == "glass") {
+        EXPECT_GE(differing, 10 * kLeastPixels);
+      } else {
+        EXPECT_EQ(differing, 0);
+      }
+    }
+  }
+}
 
 TEST(VisibleState, OfADeviceIsWhatSuchDevicesShow) {
   const Profile profile = profile_for(200);

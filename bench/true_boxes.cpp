@@ -1,0 +1,83 @@
+// Whether the boxes and lists of what an agent sees are those of a ray through every pixel, over many views of
+// furnished homes:
+//   build/release/bench/true_boxes [VIEWS [PIXELS]]     (10000 views of 300 x 300 pixels in 20 homes)
+// Every object with a pixel has to be listed with the box around its pixels, and no other: without a limit of sight,
+// and within that of the profile. Exit code 1 if one is not; each such view is printed.
+#include <cstdio>
+#include <cstdlib>
+
+#include "bench/furnished_views.h"
+#include "simulation/picture.h"
+#include "simulation/view.h"
+
+namespace unietp {
+namespace {
+
+struct Counts {
+  std::size_t views = 0, boxes = 0, through_glass = 0, wrong = 0;
+};
+
+/// The box around the pixels of each node, by the rays alone.
+std::vector<std::optional<PixelBox>> boxes_of(const Segmentation& image, std::size_t nodes) {
+  std::vector<std::optional<PixelBox>> boxes(nodes);
+  const auto add = [&](std::size_t pixel, std::int32_t node) {
+    if (node < 0) return;
+    const int x = static_cast<int>(pixel) % image.width, y = static_cast<int>(pixel) / image.width;
+    auto& box = boxes[static_cast<std::size_t>(node)];
+    if (!box) box = PixelBox{x, y, x, y};
+    box = PixelBox{std::min((*box)[0], x), std::min((*box)[1], y), std::max((*box)[2], x), std::max((*box)[3], y)};
+  };
+  for (std::size_t pixel = 0; pixel < image.node.size(); ++pixel) add(pixel, image.node[pixel]);
+  for (const Segmentation::Through& one : image.through) add(one.pixel, one.node);
+  return boxes;
+}
+
+/// What a list of what is seen should be, up to a distance.
+std::vector<VisibleObject> expected(const Scene& scene, const Profile& profile,
+                                    const std::vector<std::optional<PixelBox>>& boxes, double sight_m) {
+  const Vec3 eye(scene.agent.position.x(), scene.agent.position.y(), profile.camera_height_m);
+  std::vector<VisibleObject> objects;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    if (boxes[i] && (scene.nodes[i].pose.position - eye).norm() <= sight_m)
+      objects.push_back({scene.nodes[i].id, *boxes[i]});
+  }
+  std::sort(objects.begin(), objects.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
+  return objects;
+}
+
+void check(const FurnishedViews& seen, Counts& counts) {
+  Rays rays;
+  for (const Scene& scene : seen.scenes) {
+    const Segmentation image = segmentation_of(scene, seen.profile, rays);
+    const auto boxes = boxes_of(image, scene.nodes.size());
+    bool right = true;
+    for (const double sight_m : {seen.profile.sight_m, kEndless_m}) {
+      const auto listed = Viewer(scene).view(viewed(scene), scene.agent, seen.profile, sight_m);
+      right = right && listed == expected(scene, seen.profile, boxes, sight_m);
+      if (sight_m == kEndless_m) counts.boxes += listed.size();
+    }
+    counts.through_glass += image.through.empty() ? 0 : 1;
+    counts.wrong += right ? 0 : 1;
+    if (!right) std::printf("view %zu in %s differs\n", counts.views, std::string(name_of(scene.simulator)).c_str());
+    ++counts.views;
+  }
+}
+
+}  // namespace
+}  // namespace unietp
+
+int main(int argc, char** argv) {
+  using namespace unietp;
+  constexpr std::size_t kHomes = 5;  // of each simulator
+  const int views = argc > 1 ? std::atoi(argv[1]) : 10000, pixels = argc > 2 ? std::atoi(argv[2]) : 300;
+  if (views < 20 || pixels < 16 || pixels > 1024) {
+    std::fprintf(stderr, "usage: true_boxes [VIEWS [PIXELS]]; at least 20 views, 16 to 1024 pixels\n");
+    return 2;
+  }
+  Counts counts;
+  for (const Simulator simulator : kSimulators)
+    check(furnished_views(simulator, kHomes, static_cast<std::size_t>(views) / (4 * kHomes), pixels), counts);
+  std::printf("%zu views of 20 homes, %zu of them through glass, %zu boxes: %zu views differ\n", counts.views,
+              counts.through_glass, counts.boxes, counts.wrong);
+  return counts.wrong == 0 ? 0 : 1;
+}
