@@ -55,6 +55,7 @@ class Author {
       filled = *fact + " ";
     }
     const std::size_t begin = filled.size();
+    another_ = phrasing.find(" another ") != phrasing.npos;
     const auto words = tokens_of(phrasing);
     speaks_of_one_ = std::any_of(words.begin(), words.end(), [](const Token& word) {
       return std::find(kOfOne.begin(), kOfOne.end(), word.text) != kOfOne.end();
@@ -152,19 +153,24 @@ class Author {
       return bare(*binder, slot.form == "plural");
     }
     const bool whole = phrases_.scope().contains(variable);
+    if (another_ && home_.members(binder->domain, variable).size() == 2) return std::nullopt;  // "the other"
     NounPhrase thing;
     if (whole) {
       thing = phrases_.reference(variable, specification_.goal);
     } else {
       thing.noun = binder->domain;
       thing.noun.where.clear();
+      thing.there = home_.members(binder->domain, variable).size();
     }
     // What is put somewhere is not described by another place: "put the mug that is on the desk on the shelf".
     if (place.moved && !naming_.was_named(variable) &&
         std::any_of(thing.modifiers.begin(), thing.modifiers.end(), describes_by_place))
       return std::nullopt;
     if (slot.form == "slice" && !of_slices(thing.noun)) return std::nullopt;
+    for (const char* const verb : {"Close ", "close ", "Shut ", "shut "})
+      if (before.ends_with(verb) && naming_.has_lid(thing.noun)) return std::nullopt;
     place.inside_description = !whole;
+    place.beside_every = said_all_ && whole;
     const auto named = naming_.phrase(thing, place);
     if (!named || (named->plural && speaks_of_one_)) return std::nullopt;
     const bool article = slot.form == "indefinite" || slot.form == "definite" || slot.form == "slice";
@@ -176,15 +182,18 @@ class Author {
   Text bare(const Formula& binder, bool plural) {
     if (binder.op == Op::Forall || binder.op == Op::Count) {
       const std::size_t there = home_.members(binder.domain, binder.variable).size();
-      // "All the mugs" and "two mugs" promise more.
-      if (there == 1 || (there > 0 && static_cast<int>(there) == binder.number)) return std::nullopt;
+      // "All the mugs" and "two mugs" promise more; of two it would be "both".
+      const bool both = there == 2 && binder.op == Op::Forall;
+      if (there == 1 || both || (there > 0 && static_cast<int>(there) == binder.number)) return std::nullopt;
+      said_all_ = said_all_ || binder.op == Op::Forall;
     }
     NounPhrase thing;
     thing.noun = binder.domain;
     const bool described = !thing.noun.where.empty();
     thing.noun.where.clear();
     if (plural) return described ? std::nullopt : naming_.plural(thing);
-    return naming_.singular(thing.noun);
+    const Text one = naming_.singular(thing.noun);
+    return one && one->starts_with("pair of ") ? std::nullopt : one;  // "the pants that are on the chair"
   }
 
   static bool of_slices(const Domain& noun) {
@@ -194,6 +203,8 @@ class Author {
   const Specification& specification_;
   const NounTable& lexicon_;
   bool speaks_of_one_ = false;  // "the pants" would not go with "it"
+  bool another_ = false;        // the phrasing speaks of another
+  bool said_all_ = false;       // "all the mugs" came before
   Style style_;
   Rng rng_;
   Plan plan_;

@@ -61,7 +61,7 @@ class TextReader {
     if (phrase == nullptr) return false;
     words_.go_back(words_.position() + length);
     if (phrase->use == AliasKind::Occasion) {
-      words_.set_occasion(phrase->noun);
+      words_.set_occasion(phrase->noun, phrase->need);
       return true;
     }
     Clause asked;
@@ -82,6 +82,14 @@ class TextReader {
       words_.set_bare_places(true);
       so.subjects.push_back(words_.phrase());
       words_.set_bare_places(false);
+      say(Kind::Fact, {std::move(so)});
+      end_sentence();
+      return true;
+    }
+    if (words_.comes("you can leave the") || (words_.comes("the") && words_.follows("can stay where it is"))) {
+      const bool leave = words_.accept("you can leave");
+      so.subjects.push_back(words_.phrase());
+      words_.expect(leave ? "where it is" : "can stay where it is");
       say(Kind::Fact, {std::move(so)});
       end_sentence();
       return true;
@@ -155,6 +163,15 @@ class TextReader {
         say(Kind::Need, {needed()});
         return end_sentence();
       }
+    if (words_.accept_one({"once it's in ,", "once they're in ,", "once it's there ,", "once they're there ,",
+                           "then"}) >= 0) {
+      if (message_.empty() || message_.back().kind != Kind::Final || message_.back().clauses[0].complements.empty())
+        return words_.fail("expected what is put somewhere in the sentence before");
+      Clause sooner = std::move(message_.back().clauses[0]);
+      message_.pop_back();
+      say(Kind::Then, {std::move(sooner), clauses_.command()});
+      return end_sentence();
+    }
     for (const std::string_view once : {"once you've", "once you have", "as soon as you've", "as soon as you have"})
       if (words_.accept(once)) {
         words_.set_comma_lists(false);
@@ -199,9 +216,15 @@ class TextReader {
 
   /// "If the cabinet is open, put a mug in it. If not, put it on a shelf.": the cabinet is one or the other.
   void otherwise(NounPhrase there, Clause then) {
-    words_.expect("put it");
+    words_.expect("put");
     Clause other;
     other.subjects = then.subjects;
+    if (words_.accept_one({"it", "them"}) < 0) {
+      const NounPhrase again = words_.phrase();
+      const bool same = again.determiner == Determiner::The && again.modifiers.empty() && then.subjects.size() == 1 &&
+                        again.noun == then.subjects[0].noun;
+      if (!same) return words_.fail("expected what is put somewhere in the sentence before");
+    }
     words_.complements(other);
     const auto& states = there.modifiers;
     const auto opposite = states.size() == 1 && states[0].object.empty() && !states[0].negated
@@ -237,6 +260,16 @@ class TextReader {
       thing.column = words_.column();
       after.subjects = {std::move(thing)};
       words_.complements(after);
+      return after;
+    }
+    if (moved && words_.phrase_comes() && !words_.comes("it")) {  // "put the egg in the fridge, then the potato"
+      after.subjects = {words_.phrase()};
+      after.complements = before.complements;
+      NounPhrase place;
+      place.determiner = Determiner::Known;
+      place.noun = before.complements[0].object[0].noun;
+      place.column = words_.column();
+      after.complements[0].object = {std::move(place)};
       return after;
     }
     after = clauses_.command();
@@ -284,7 +317,18 @@ class TextReader {
         keep();
         continue;
       }
+      if (words_.comes("cut a slice of") || words_.comes("cut a piece of")) {  // "… and chill it"
+        words_.accept("cut");
+        Clause cut;
+        cut.subjects.push_back(words_.phrase());
+        say(Kind::Choose, {std::move(cut)});
+        continue;
+      }
       Clause clause = clauses_.command();
+      if (words_.accept(", one for each")) {
+        one_for_each(std::move(clause));
+        continue;
+      }
       if (then_comes()) {
         then();
         Clause after = next(clause);
@@ -296,6 +340,26 @@ class TextReader {
       say(Kind::Final, {std::move(clause)});
       if (words_.accept("again")) undo();
     } while (!words_.failed() && goes_on());
+  }
+
+  /// "put both forks on the table, one for each plate there": as many there as plates.
+  void one_for_each(Clause put) {
+    Clause counted;
+    counted.kind = Clause::Kind::Compare;
+    counted.subjects.resize(1);
+    counted.subjects[0].noun = put.subjects.front().noun;
+    counted.subjects.push_back(words_.bare_noun(false));
+    words_.expect("there");
+    if (put.complements.size() != 1 || put.complements[0].object.size() != 1)
+      return words_.fail("expected one place before 'one for each'");
+    NounPhrase place;
+    place.determiner = Determiner::Known;
+    place.noun = put.complements[0].object[0].noun;
+    place.column = words_.column();
+    counted.complements.assign(2, put.complements[0]);
+    for (Complement& there : counted.complements) there.object = {place};
+    say(Kind::Final, {std::move(put)});
+    say(Kind::Final, {std::move(counted)});
   }
 
   /// "…, and only then all the mugs": in the same place.
@@ -327,7 +391,10 @@ class TextReader {
       message_[i].kind = Kind::Sometime;
       return;
     }
-    words_.fail("expected what is done again to end what was done before");
+    if (last != Predicate::Closed) return words_.fail("expected what is done again to end what was done before");
+    Requirement opened{Kind::Sometime, {message_.back().clauses[0]}, false, {}};  // what was taken out of it says so
+    opened.clauses[0].complements[0].predicate = Predicate::Open;
+    message_.push_back(std::move(opened));
   }
 
   /// "leave all the plates on the table", "do not open any fridge"
