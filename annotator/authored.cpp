@@ -150,7 +150,7 @@ class Author {
     if (slot.form.empty() || slot.form == "plural") {
       // "In the same fridge", of a home with one.
       if (before.ends_with("same ") && naming_.is_alone(binder->domain)) return std::nullopt;
-      return bare(*binder, slot.form == "plural");
+      return bare(*binder, slot.form == "plural", before);
     }
     const bool whole = phrases_.scope().contains(variable);
     if (another_ && home_.members(binder->domain, variable).size() == 2) return std::nullopt;  // "the other"
@@ -167,8 +167,11 @@ class Author {
         std::any_of(thing.modifiers.begin(), thing.modifiers.end(), describes_by_place))
       return std::nullopt;
     if (slot.form == "slice" && !of_slices(thing.noun)) return std::nullopt;
-    for (const char* const verb : {"Close ", "close ", "Shut ", "shut "})
-      if (before.ends_with(verb) && naming_.has_lid(thing.noun)) return std::nullopt;
+    const bool closed = before.ends_with("Close ") || before.ends_with("close ") || before.ends_with("shut ");
+    if (closed && naming_.has_lid(thing.noun)) return std::nullopt;
+    if (before.ends_with("lid on ") && !naming_.has_lid(thing.noun)) return std::nullopt;
+    if (before.ends_with(" water ") && !naming_.is_plant(thing.noun)) return std::nullopt;
+    if (before.ends_with("pour it into ") && naming_.is_plant(thing.noun)) return std::nullopt;
     place.inside_description = !whole;
     place.beside_every = said_all_ && whole;
     const auto named = naming_.phrase(thing, place);
@@ -179,12 +182,15 @@ class Author {
   }
 
   /// The noun alone, to which the phrasing adds what it wants.
-  Text bare(const Formula& binder, bool plural) {
+  Text bare(const Formula& binder, bool plural, std::string_view before) {
     if (binder.op == Op::Forall || binder.op == Op::Count) {
       const std::size_t there = home_.members(binder.domain, binder.variable).size();
       // "All the mugs" and "two mugs" promise more; of two it would be "both".
-      const bool both = there == 2 && binder.op == Op::Forall;
-      if (there == 1 || both || (there > 0 && static_cast<int>(there) == binder.number)) return std::nullopt;
+      const bool all = binder.op == Op::Forall || static_cast<int>(there) == binder.number;
+      const bool says_both =
+          before.ends_with("oth ") || before.ends_with("One of the ") || before.ends_with("one of the ");
+      if (there == 1 || (there == 2 && all) != says_both) return std::nullopt;
+      if (there > 0 && static_cast<int>(there) == binder.number && !says_both) return std::nullopt;
       said_all_ = said_all_ || binder.op == Op::Forall;
     }
     NounPhrase thing;

@@ -327,7 +327,8 @@ std::optional<std::string> ClauseWriter::taken_first(const Clause& clause) {
     if (!off.empty()) {
       thing.modifiers.pop_back();
       // "Take the mug off the desk": where it is, one sees.
-      const bool the = place.predicate != Predicate::Inside;
+      const bool the =
+          place.predicate == Predicate::InRoom || (place.predicate == Predicate::On && place.object[0].there > 1);
       const auto here = naming_.phrase(place.object[0], {.inside_description = true, .unique = the});
       if (!here) return std::nullopt;
       there = here->text;

@@ -30,6 +30,7 @@ Clause ClauseReader::command() {
     clause.complements.push_back({P::Held, false, "", {}});
     return clause;
   }
+  if (words_.accept("swap")) return swapped();
   if (words_.accept("divide")) return shared_out();
   if (words_.accept("split the")) return split_evenly();
   if (words_.comes("put one of the") && words_.follows("and the other one")) {

@@ -72,9 +72,10 @@ class SentenceWriter {
     if (relation != P::On && relation != P::Inside) return;
     const auto* known = knowledge_.placement(here.category, relation, there.category);
     if (!category->movable || known == nullptr || known->likelihood < kLikely) return;
-    if (alike(thing) != 1) return;
-    told_.push_back("The " + name_of(thing) + " can stay where it is.");
-    told_.push_back("You can leave the " + name_of(thing) + " where it is.");
+    const std::string name = name_of(thing);
+    if (alike(thing) != 1 || name.ends_with("door") || name.ends_with("drawer")) return;
+    told_.push_back("The " + name + " can stay where it is.");
+    told_.push_back("You can leave the " + name + " where it is.");
   }
 
   const Trace& start_;

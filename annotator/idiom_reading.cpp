@@ -32,6 +32,26 @@ Clause ClauseReader::shared_out() {
   return clause;
 }
 
+/// "swap the book on the couch and the magazine on the table": each goes where the other is.
+Clause ClauseReader::swapped() {
+  Clause both;
+  both.kind = Clause::Kind::And;
+  both.parts.resize(2);
+  for (Clause& part : both.parts) {
+    if (&part != &both.parts[0] && words_.accept_one({"and", "with"}) < 0) words_.fail("expected 'and'");
+    words_.set_bare_places(true);
+    part.subjects.push_back(words_.phrase());
+    words_.set_bare_places(false);
+    const auto& where = part.subjects[0].modifiers;
+    const bool placed = where.size() == 1 && describes_by_place(where[0]) && !where[0].negated &&
+                        where[0].object[0].determiner == Determiner::The && where[0].object[0].modifiers.empty();
+    if (!placed) words_.fail("expected what stands on or in the one of its kind, such as 'the mug on the desk'");
+  }
+  if (words_.failed()) return both;
+  for (std::size_t i = 0; i < 2; ++i) both.parts[i].complements = both.parts[1 - i].subjects[0].modifiers;
+  return both;
+}
+
 /// "put one of the mugs on the desk and the other one on the shelf": there are two, and one is on each.
 Clause ClauseReader::one_on_each() {
   Clause clause;
@@ -107,9 +127,8 @@ Clause ClauseReader::poured() {
 }
 
 bool ClauseReader::put_down() {
-  return words_.accept_one(
-             {"and put them down", "and put it down", "and put them somewhere else", "and put it somewhere else",
-              ", put them somewhere else", ", put it somewhere else"}) >= 0;
+  return words_.accept_one({"and put them down", "and put it down", "and put them somewhere else",
+                            "and put it somewhere else", ", put them somewhere else", ", put it somewhere else"}) >= 0;
 }
 
 /// "take the mug off the desk and put it in the sink": the mug that is on the desk. "Take the mug off the desk.": the

@@ -115,8 +115,8 @@ bool is_idiom(const Clause& clause) {
 std::optional<std::string> idiom(const Clause& clause, Naming& naming) {
   if (clause.poured) {
     const auto into = naming.phrase(clause.subjects[0], {});
-    const auto kind = into ? naming.singular(clause.subjects[0].noun) : std::nullopt;
-    if (kind && kind->ends_with("plant") && clause.complements[0].symbol == "water") return "water " + into->text;
+    if (into && naming.is_plant(clause.subjects[0].noun) && clause.complements[0].symbol == "water")
+      return "water " + into->text;
     return into ? Text("pour it into " + into->text) : std::nullopt;
   }
   if (clause.each_has_one) return shared(clause, naming);

@@ -206,7 +206,8 @@ std::optional<std::string> request_for(const Formula& goal, const NounTable& lex
 std::optional<std::string> worded(const Plan& plan, const NounTable& lexicon, Style style, Phrasings set,
                                   const TextChecker& judge, double pronouns, const Rng& rng) {
   constexpr std::uint64_t kWordings = 4;
-  const Wording wording{style, set == Phrasings::Everyday, judge.alone(), judge.there(), judge.opened(), judge.meant(), pronouns};
+  const Wording wording{
+      style, set == Phrasings::Everyday, judge.alone(), judge.there(), judge.opened(), judge.meant(), pronouns};
   for (std::uint64_t i = 0; i < kWordings; ++i) {
     auto text = realise(plan, lexicon, wording, rng.fork("words", i));
     if (!text || set == Phrasings::Everyday || set == Phrasings::All || phrasings_of(*text, lexicon) == set)
@@ -294,9 +295,12 @@ class Writer {
 
   std::optional<Instruction> accepted(const std::string& written, Style style) const {
     const std::string text = with_plain_places(nouns_.english() == English::Us ? american(written) : written);
-    const std::string& where = text;
-    if (const auto at = where.find(" where "); where != written && at != where.npos && where.find(" it", at) != where.npos)
-      return std::nullopt;  // "put it where we keep the milk and close it"
+    const auto where = text.find(" where ");
+    const bool plain = with_plain_places(written) != written;
+    // "Put it where we keep the milk and close it."
+    if (plain && text.find(" it", where) != text.npos) return std::nullopt;
+    for (const char* const twice : {" from with ", " with with ", " in with ", " on with ", " it with "})
+      if (text.find(twice) != text.npos) return std::nullopt;  // "fill something to drink from with water"
     // Nobody is asked to close "the place where we keep the milk".
     if (text.find(" the place where ") != text.npos || text.find(" the spot where ") != text.npos) return std::nullopt;
     if (!judge_.reads_back(text) || !style_fault(text, style, specification_.goal, options_.around, nouns_).empty())
@@ -317,9 +321,10 @@ class Writer {
       for (std::uint64_t draw = 0; draw < kAuthoredDraws; ++draw) {
         Rng own = rng.fork("phrasing", i * kAuthoredDraws + draw);
         const double pronouns = draw == 0 ? 1 : 0;
-        auto text = authored_text(phrasings[i], specification_, nouns_,
-                                  {style, true, judge_.alone(), judge_.there(), judge_.opened(), judge_.meant_by_author(), pronouns},
-                                  judge_.counts(), own);
+        auto text = authored_text(
+            phrasings[i], specification_, nouns_,
+            {style, true, judge_.alone(), judge_.there(), judge_.opened(), judge_.meant_by_author(), pronouns},
+            judge_.counts(), own);
         if (!text || !framed(*text, style, own)) break;
         if (style == Style::Ellipsis && !with_contrast(*text, own)) break;
         auto written = accepted(*text, style);

@@ -50,9 +50,10 @@ std::optional<std::string> Naming::name_of(const Domain::Member& member, bool pl
       if (const auto others = lexicon_.synonyms(member.category); !others.empty()) name = rng_.pick(others);
     if (name.singular.empty()) return std::nullopt;
     // One opens the oven of a stove.
-    const bool opened = std::find(wording_.opened.begin(), wording_.opened.end(), member.category) != wording_.opened.end();
-    const auto oven = opened && name.singular == "stove" ? lexicon_.noun_at(tokens_of("oven"), 0).nouns
-                                                         : std::vector<Domain>();
+    const bool opened =
+        std::find(wording_.opened.begin(), wording_.opened.end(), member.category) != wording_.opened.end();
+    const auto oven =
+        opened && name.singular == "stove" ? lexicon_.noun_at(tokens_of("oven"), 0).nouns : std::vector<Domain>();
     if (oven.size() == 1 && oven[0] == of_category(member.category)) name.singular = "oven", name.plural = "ovens";
     found = chosen_.emplace(member.category, name).first;
   }
@@ -97,8 +98,7 @@ std::vector<std::string> Naming::nameless(const Domain& noun, AliasKind use) con
 
 std::vector<std::string> Naming::uses(const Domain& noun) const {
   if (noun.kind != Domain::Kind::Categories || style_ == Style::Alias) return {};
-  if (style_ == Style::Context)
-    return lexicon_.needs(noun);
+  if (style_ == Style::Context) return lexicon_.needs(noun);
   if (style_ == Style::Hypernym) return nameless(noun, AliasKind::Hypernym);
   if (style_ == Style::Description) return nameless(noun, AliasKind::Description);
   if (style_ == Style::Function) return nameless(noun, AliasKind::Function);
@@ -217,7 +217,8 @@ std::optional<Words> Naming::phrase(const NounPhrase& said, Place place) {
     return Words{"a slice of it"};
   }
   // Nobody washes "something to drink from".
-  if (everyday() && bare->function && bare->singular.starts_with("something ") && !place.sought && style_ != Style::Context)
+  if (everyday() && bare->function && bare->singular.starts_with("something ") && !place.sought &&
+      style_ != Style::Context)
     return std::nullopt;
   if (bare->function && (said.determiner != Determiner::New || !said.modifiers.empty())) return std::nullopt;
 
@@ -275,6 +276,7 @@ std::optional<Words> Naming::again(const NounPhrase& said, const Noun& noun, Pla
   const std::string pair = everyday() ? pair_name(said.noun, noun) : "";
   const bool several = is_plural(noun) || !pair.empty();
   if (clear && rng_.chance(usual)) return several ? Words{"them", true} : Words{"it"};
+  if (everyday() && vague) return std::nullopt;
   // "That object" is clear only where no other was named: "that thing to drink from".
   const std::string word = !vague ? noun.singular : named_.size() == 1 ? "object" : named_again(use);
   if (word.empty()) return std::nullopt;

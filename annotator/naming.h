@@ -22,12 +22,12 @@ struct Words {
 /// How a plan is worded.
 struct Wording {
   Style style = Style::Direct;
-  bool everyday = true;                     // as people ask for things; false: a wide choice of frames and statements
-  std::span<const std::string> alone = {};  // categories and room types of which the home has one, sorted: "the sink"
-  std::span<const std::string> there = {};  // those of which it has any, sorted; empty where the home is not known
+  bool everyday = true;                      // as people ask for things; false: a wide choice of frames and statements
+  std::span<const std::string> alone = {};   // categories and room types of which the home has one, sorted: "the sink"
+  std::span<const std::string> there = {};   // those of which it has any, sorted; empty where the home is not known
   std::span<const std::string> opened = {};  // categories in which something is to be, or that are opened or closed
-  std::span<const std::string> meant = {};  // variables of which one thing only is left to be meant, sorted
-  double pronouns = 1;                      // share of things that are "it" where that is clear
+  std::span<const std::string> meant = {};   // variables of which one thing only is left to be meant, sorted
+  double pronouns = 1;                       // share of things that are "it" where that is clear
 };
 
 /// The context of a noun phrase that limits its determiner.
@@ -90,6 +90,8 @@ class Naming {
   bool was_named(const std::string& variable) const;
   /// Whether such an object may be named by its use alone, "something to drink from".
   bool names_by_use(const Domain& noun) const;
+  /// Whether it is watered rather than filled.
+  bool is_plant(const Domain& noun) const;
   /// Whether people put a lid on it rather than close it.
   bool has_lid(const Domain& noun) const;
   /// Whether it is sprinkled on food: salt, and what else the home's base has a shaker of.
@@ -156,10 +158,10 @@ class Naming {
   bool is_one_again(const NounPhrase& phrase) const;
   int mentions_of(const Domain& noun) const;
   std::vector<Named> named_;
-  std::vector<std::string> mentioned_;  // variables, the latest last; "": what "it" cannot mean
-  std::size_t clause_ = 0;              // mentions before the present clause
-  std::string topic_;                   // a variable, or ""
-  std::vector<Domain> several_, counted_;  // what "the red one" may be one of; "both mugs"
+  std::vector<std::string> mentioned_;             // variables, the latest last; "": what "it" cannot mean
+  std::size_t clause_ = 0;                         // mentions before the present clause
+  std::string topic_;                              // a variable, or ""
+  std::vector<Domain> several_, counted_;          // what "the red one" may be one of; "both mugs"
   std::map<std::string, NounTable::Name> chosen_;  // one name per category in a text
 };
 

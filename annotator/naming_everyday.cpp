@@ -24,6 +24,11 @@ bool Naming::has_lid(const Domain& noun) const {
   return name != nullptr && (name->singular.ends_with("pot") || name->singular.ends_with("kettle"));
 }
 
+bool Naming::is_plant(const Domain& noun) const {
+  const NounTable::Name* name = noun.members.size() == 1 ? lexicon_.display(noun.members[0].category) : nullptr;
+  return name != nullptr && name->singular.ends_with("plant");
+}
+
 bool Naming::comes_from_a_shaker(const std::string& substance) const {
   return substance == "black_pepper" || lexicon_.display(substance + "_shaker") != nullptr;
 }

@@ -84,7 +84,8 @@ bool PhraseReader::phrase_comes() const {
   if (number_in(peek())) return true;
   for (const char* start : {"at least", "at most"})
     if (comes(start)) return number_in(peek(2)).has_value();
-  return (occasion_ && comes(need_)) || comes("no fewer than") || comes("no more than") || lexicon_.function_at(tokens_, at_).length > 0;
+  return (occasion_ && comes(need_)) || comes("no fewer than") || comes("no more than") ||
+         lexicon_.function_at(tokens_, at_).length > 0;
 }
 
 NounPhrase PhraseReader::phrase() {
@@ -351,13 +352,8 @@ void PhraseReader::description(NounPhrase& read) {
 
 /// "what I need for that", behind a sentence such as "I want to make a salad."
 bool PhraseReader::needed_for_occasion(NounPhrase& read) {
-  if (occasion_ && accept(need_)) {
-    read.noun = *occasion_;
-    read.by_function = true;
-    return true;
-  }
-  if (accept_one({"what i need for that", "what we need for that", "the right thing for that", "what i need",
-                  "what i'll need"}) < 0)
+  if (accept_one({"what i need for that", "what we need for that", "the right thing for that"}) < 0 &&
+      (!occasion_ || !accept(need_)) && accept_one({"what i need", "what i'll need"}) < 0)
     return false;
   if (!occasion_) fail("what is needed is not clear without a sentence about an occasion, before this");
   read.noun = occasion_.value_or(Domain());

@@ -273,7 +273,8 @@ class Realiser {
     return puts(clauses[0]) && puts(clauses[1]) && place.predicate == again.predicate &&
            !place.object[0].variable.empty() && place.object[0].variable == again.object[0].variable &&
            clauses[0].subjects[0].variable != clauses[1].subjects[0].variable &&
-           (first.starts_with("put ") || first.starts_with("place ") || first.find(" and put it in ") != first.npos);
+           (first.starts_with("put ") || first.starts_with("place ") || first.starts_with("move ") ||
+            first.find(" and put it in ") != first.npos);
   }
 
   /// "First wash a pan, then heat it."

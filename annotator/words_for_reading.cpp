@@ -19,7 +19,7 @@ struct ReadingRow {
 
 constexpr std::array<ReadingRow, kPredicateCount> kReadingRows{{
     {P::Open, "open", "", "", "open up|open", "open", "open. opened. opening."},
-    {P::Closed, "closed|shut", "", "", "close|shut", "clos shut", "close. closed. closing. shut."},
+    {P::Closed, "closed|shut", "", "", "close|shut", "clos shut lid.", "close. closed. closing. shut."},
     {P::PowerOn, "switched on|turned on", "", "", "turn on|switch on",
      "on. power switch turn activ start running lit light", ""},
     {P::PowerOff, "switched off|turned off", "", "", "turn off|switch off", "off. power switch turn deactiv stop out.",
@@ -53,7 +53,8 @@ constexpr std::array<ReadingRow, kPredicateCount> kReadingRows{{
     {P::Unfolded, "unfolded", "", "", "unfold", "unfold spread open", "unfold. unfolded."},
     {P::PluggedIn, "plugged in", "", "", "plug in|plug _ in", "plug", ""},
     {P::Unplugged, "unplugged", "", "", "unplug", "unplug plug disconnect", "unplug. unplugged."},
-    {P::Held, "in your hand|in your hands|held", "", "", "pick up|pick _ up|end up holding|hold on to|hold|grab me|grab",
+    {P::Held, "in your hand|in your hands|held", "", "",
+     "pick up|pick _ up|end up holding|hold on to|hold|grab me|grab",
      "hold held hand pick carry carri grab grasp down. somewhere.", "hold. holding. held."},
     {P::SatOn, "sat on", "", "", "sit down on|sit on", "sit sat. seat", "sit. seated."},
     {P::LainOn, "lain on", "", "", "lie down on|lie on", "lie lying lain lay", "lie. lain. lying."},
@@ -65,7 +66,8 @@ constexpr std::array<ReadingRow, kPredicateCount> kReadingRows{{
     {P::Material, "", "", "made of", "", "", ""},
     {P::Size, "", "", "of the size", "", "larg big small tini tiny littl size",
      "larger. largest. bigger. biggest. smaller. smallest."},
-    {P::On, "", "on top of|onto|on", "", "", "on. onto. upon. top. over. off. from. atop. stand surface divid to.", ""},
+    {P::On, "", "on top of|onto|on", "", "",
+     "on. onto. upon. top. over. off. from. atop. stand surface divid split to.", ""},
     {P::Inside, "", "inside of|inside|into|in", "", "",
      "in. into. inside within. out. from. contain kept keep store fill full to.", ""},
     {P::NextTo, "", "next to|beside", "", "", "next. beside. near. by. adjacent. alongside.",
