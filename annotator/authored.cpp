@@ -191,7 +191,7 @@ class Author {
           before.ends_with("oth ") || before.ends_with("One of the ") || before.ends_with("one of the ");
       if (there == 1 || (there == 2 && all) != says_both) return std::nullopt;
       if (there > 0 && static_cast<int>(there) == binder.number && !says_both) return std::nullopt;
-      said_all_ = said_all_ || binder.op == Op::Forall;
+      said_all_ = said_all_ || (binder.op == Op::Forall && !before.ends_with("ne of the "));
     }
     NounPhrase thing;
     thing.noun = binder.domain;

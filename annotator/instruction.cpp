@@ -299,7 +299,7 @@ class Writer {
     const bool plain = with_plain_places(written) != written;
     // "Put it where we keep the milk and close it."
     if (plain && text.find(" it", where) != text.npos) return std::nullopt;
-    for (const char* const twice : {" from with ", " with with ", " in with ", " on with ", " it with "})
+    for (const char* const twice : {" from with ", " with with ", " in with ", " on with ", " on something "})
       if (text.find(twice) != text.npos) return std::nullopt;  // "fill something to drink from with water"
     // Nobody is asked to close "the place where we keep the milk".
     if (text.find(" the place where ") != text.npos || text.find(" the spot where ") != text.npos) return std::nullopt;

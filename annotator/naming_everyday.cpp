@@ -5,7 +5,7 @@
 namespace unietp {
 namespace {
 
-constexpr double kOneOf = 0.3;  // of the places of which there are several
+constexpr double kOneOf = 0.2;  // of the places of which there are several
 
 }  // namespace
 

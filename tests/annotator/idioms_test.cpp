@@ -123,9 +123,8 @@ constexpr Said kSaid[] = {
      " (count = 0 (?b - Mug) (held ?b))))))",
      nullptr},
     {"Swap the mug on the table and the apple on the coffee table.",
-     "(exists (?m - (Mug :where (exists (?t - Table) (on ?m ?t)))) (exists (?a - (Apple :where (exists (?c - "
-     "CoffeeTable)"
-     " (on ?a ?c)))) (exists (?t - Table) (exists (?c - CoffeeTable) (at-end (and (on ?m ?c) (on ?a ?t)))))))",
+     "(exists (?c - CoffeeTable) (exists (?m - (Mug :where (exists (?t - Table) (on ?m ?t)))) (exists (?a - (Apple "
+     ":where (on ?a ?c))) (exists (?u - Table) (at-end (and (on ?m ?c) (on ?a ?u)))))))",
      nullptr},
     {"Turn on the lamp, put a mug on the table, and turn the lamp off again.",
      "(exists (?l - Lamp) (exists (?m - Mug) (exists (?t - Table) (and (sometime (power_on ?l))"
