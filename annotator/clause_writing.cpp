@@ -354,7 +354,8 @@ std::optional<std::string> ClauseWriter::taken_first(const Clause& clause) {
 bool ClauseWriter::described_by_place(const Clause& clause) const {
   const NounPhrase& subject = clause.subjects[0];
   if (clause.subjects.size() != 1 || clause.complements[0].object.empty()) return false;
-  if (naming_.everyday() && subject.determiner == Determiner::Every && !subject.except)
+  const bool counted = subject.determiner == Determiner::Exactly || subject.determiner == Determiner::AtLeast;
+  if (naming_.everyday() && (subject.determiner == Determiner::Every || counted) && !subject.except)
     return !subject.modifiers.empty() && describes_by_place(subject.modifiers.back());
   if (subject.determiner != Determiner::New || naming_.was_named(subject.variable)) return false;
   if (naming_.names_by_use(subject.noun)) return true;

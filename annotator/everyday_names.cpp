@@ -11,7 +11,7 @@ struct EverydayName {
 };
 
 /// In order of name.
-constexpr std::array<EverydayName, 140> kEverydayNames{{
+constexpr std::array<EverydayName, 141> kEverydayNames{{
     {"allen wrench", "Allen wrench", "Allen key"},
     {"aluminum foil", "aluminum foil", "aluminium foil"},
     {"baby changing station", "changing table", "changing table"},
@@ -24,6 +24,7 @@ constexpr std::array<EverydayName, 140> kEverydayNames{{
     {"bottom cabinet without a top", "lower cabinet", "base unit"},
     {"box of aluminium foil", "box of aluminum foil", "box of aluminium foil"},
     {"box of takeout", "box of takeout", "box of takeaway"},
+    {"breakfast table", "dining table", "dining table"},
     {"brussels sprout", "Brussels sprout", "Brussels sprout"},
     {"bunch of keys", "set of keys", "bunch of keys"},
     {"burner", "burner", "hob ring"},

@@ -127,7 +127,9 @@ std::optional<std::string> idiom(const Clause& clause, Naming& naming) {
 
 std::optional<std::string> each_somewhere(const Clause& clause, Naming& naming) {
   const NounPhrase& subject = clause.subjects[0];
-  if (subject.determiner != Determiner::Every || !subject.modifiers.empty() || subject.there == 1 ||
+  const auto& told = subject.modifiers;
+  const bool plain = std::all_of(told.begin(), told.end(), [](const Complement& one) { return one.object.empty(); });
+  if (subject.determiner != Determiner::Every || subject.except || !plain || subject.there == 1 ||
       !naming.is_countable(subject.noun))
     return std::nullopt;
   std::vector<std::string> places;
@@ -140,8 +142,11 @@ std::optional<std::string> each_somewhere(const Clause& clause, Naming& naming) 
     places.push_back(before_object(said.predicate) + " " +
                      (naming.is_alone(object.noun) ? "the " + *place : with_article(*place)));
   }
-  const auto things = naming.plural(subject);
-  return things ? Text("put each of the " + *things + " " + join(places, " or ")) : std::nullopt;
+  const auto things = naming.phrase(subject, {.together = true});
+  for (const std::string_view all : {"both ", "all the "})
+    if (things && things->text.starts_with(all) && things->text.find(" that ") == std::string::npos)
+      return "put each of the " + things->text.substr(all.size()) + " " + join(places, " or ");
+  return std::nullopt;
 }
 
 std::optional<std::string> no_more(const Clause& clause, Naming& naming) {

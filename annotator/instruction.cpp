@@ -1,6 +1,7 @@
 #include "annotator/instruction.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <optional>
 
@@ -164,11 +165,27 @@ class TextChecker {
 /// Americans turn lights and machines on, and have gray cats.
 std::string american(std::string text) {
   text = replace_all(text, " grey ", " gray ");
+  text = replace_all(text, " switched o", " turned o");
   for (const std::string before : {", ", " and ", " then ", ". "}) {
     text = replace_all(text, before + "switch ", before + "turn ");
     text = replace_all(text, before + "Switch ", before + "Turn ");
   }
   return text.starts_with("Switch ") ? "Turn " + text.substr(7) : text;
+}
+
+/// "Fill something to drink from with water", "put something to read on on the bed", "grab me it".
+bool sounds_right(const std::string& text) {
+  constexpr std::array kNever{" from with ", " with with ", " in with ", " on with ", " on on ", " on in ",
+                              " in in ",     " in on ",     " with on ", " with in ", " me it.", " on something "};
+  // "… put the taco on the table. Put the plum on it.": on the taco?
+  std::size_t from = 0;
+  bool placed = false;
+  for (std::size_t end = text.find('.'); end != text.npos; from = end + 2, end = text.find('.', from)) {
+    const std::string sentence = text.substr(std::min(from, end), end - std::min(from, end));
+    if (placed && (sentence.ends_with(" on it") || sentence.ends_with(" in it"))) return false;
+    placed = lower(sentence).find("put ") != sentence.npos || lower(sentence).find("place ") != sentence.npos;
+  }
+  return std::none_of(kNever.begin(), kNever.end(), [&](const char* words) { return text.find(words) != text.npos; });
 }
 
 /// Adds to a text what a style has besides what is asked. False when there is nothing to add.
@@ -294,13 +311,13 @@ class Writer {
   }
 
   std::optional<Instruction> accepted(const std::string& written, Style style) const {
-    const std::string text = with_plain_places(nouns_.english() == English::Us ? american(written) : written);
+    std::string text = with_plain_places(nouns_.english() == English::Us ? american(written) : written);
     const auto where = text.find(" where ");
     const bool plain = with_plain_places(written) != written;
     // "Put it where we keep the milk and close it."
     if (plain && text.find(" it", where) != text.npos) return std::nullopt;
-    for (const char* const twice : {" from with ", " with with ", " in with ", " on with ", " on something "})
-      if (text.find(twice) != text.npos) return std::nullopt;  // "fill something to drink from with water"
+    if (!sounds_right(text)) return std::nullopt;
+    if (is_everyday()) text = with_tops(std::move(text), nouns_);
     // Nobody is asked to close "the place where we keep the milk".
     if (text.find(" the place where ") != text.npos || text.find(" the spot where ") != text.npos) return std::nullopt;
     if (!judge_.reads_back(text) || !style_fault(text, style, specification_.goal, options_.around, nouns_).empty())

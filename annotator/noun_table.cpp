@@ -104,6 +104,22 @@ std::string with_plain_places(std::string text) {
   return text;
 }
 
+std::string with_tops(std::string text, const NounTable& nouns) {
+  constexpr std::array kHeads{"cabinet", "cabinets", "cupboard", "cupboards", "wardrobe", "wardrobes"};
+  const std::vector<Token> tokens = tokens_of(text);
+  const auto is = [&](std::size_t at, std::string_view word) { return at < tokens.size() && tokens[at].text == word; };
+  for (std::size_t i = tokens.size(); i-- > 1;) {
+    if (!is(i, "on") || is(i - 1, "turn") || is(i - 1, "switch") || is(i - 1, "lid")) continue;
+    std::size_t at = i + 1;
+    while (is(at, "the") || is(at, "a") || is(at, "one") || is(at, "of") || is(at, "same")) ++at;
+    const std::size_t length = nouns.noun_at(tokens, at).length;
+    const bool high = length > 0 && std::any_of(kHeads.begin(), kHeads.end(),
+                                                [&](const char* head) { return is(at + length - 1, head); });
+    if (high && at > i + 1) text.insert(static_cast<std::size_t>(tokens[i].column) + 1, " top of");
+  }
+  return text;
+}
+
 NounTable::NounTable(const Knowledge& knowledge, English english) {
   Names made;
   made.english = english;

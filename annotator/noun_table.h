@@ -35,6 +35,10 @@ std::string where_of(std::string_view use);
 /// The same of every such phrase behind a preposition in a text: "in the place where we keep the milk".
 std::string with_plain_places(std::string text);
 
+/// "On top of the cabinet" for "on the cabinet", which is heard as a slip for "in".
+class NounTable;
+std::string with_tops(std::string text, const NounTable& nouns);
+
 /// "a mug", "an apple", "an hour glass", "a utensil": by pronunciation; "half an apple".
 std::string with_article(const std::string& noun);
 

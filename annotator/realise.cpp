@@ -98,6 +98,8 @@ class Realiser {
     if (parts.size() < 2 || std::none_of(parts.begin(), parts.end(), is_long))
       return asked(listed(parts, "and"), is_first);
     std::vector<std::string> sentences;
+    for (const std::string& part : parts)  // of two places
+      if (&part != &parts[0] && (part.ends_with(" on it") || part.ends_with(" in it"))) return std::nullopt;
     for (const std::string& part : parts) sentences.push_back(*asked(part, is_first && sentences.empty()));
     return join(sentences, " ");
   }
