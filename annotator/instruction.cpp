@@ -175,8 +175,9 @@ std::string american(std::string text) {
 
 /// "Fill something to drink from with water", "put something to read on on the bed", "grab me it".
 bool sounds_right(const std::string& text) {
-  constexpr std::array kNever{" from with ", " with with ", " in with ", " on with ", " on on ", " on in ",
-                              " in in ",     " in on ",     " with on ", " with in ", " me it.", " on something "};
+  constexpr std::array kNever{" from with ", " with with ",    " in with ", " on with ", " on on ",
+                              " on in ",     " in in ",        " in on ",   " with on ", " with in ",
+                              " me it.",     " on something ", " at first"};
   // "… put the taco on the table. Put the plum on it.": on the taco?
   std::size_t from = 0;
   bool placed = false;
