@@ -55,6 +55,7 @@ class Author {
       filled = *fact + " ";
     }
     const std::size_t begin = filled.size();
+    another_ = phrasing.find(" another ") != phrasing.npos;
     const auto words = tokens_of(phrasing);
     speaks_of_one_ = std::any_of(words.begin(), words.end(), [](const Token& word) {
       return std::find(kOfOne.begin(), kOfOne.end(), word.text) != kOfOne.end();
@@ -149,22 +150,30 @@ class Author {
     if (slot.form.empty() || slot.form == "plural") {
       // "In the same fridge", of a home with one.
       if (before.ends_with("same ") && naming_.is_alone(binder->domain)) return std::nullopt;
-      return bare(*binder, slot.form == "plural");
+      return bare(*binder, slot.form == "plural", before);
     }
     const bool whole = phrases_.scope().contains(variable);
+    if (another_ && home_.members(binder->domain, variable).size() == 2) return std::nullopt;  // "the other"
     NounPhrase thing;
     if (whole) {
       thing = phrases_.reference(variable, specification_.goal);
     } else {
       thing.noun = binder->domain;
       thing.noun.where.clear();
+      thing.there = home_.members(binder->domain, variable).size();
     }
     // What is put somewhere is not described by another place: "put the mug that is on the desk on the shelf".
     if (place.moved && !naming_.was_named(variable) &&
         std::any_of(thing.modifiers.begin(), thing.modifiers.end(), describes_by_place))
       return std::nullopt;
     if (slot.form == "slice" && !of_slices(thing.noun)) return std::nullopt;
+    const bool closed = before.ends_with("Close ") || before.ends_with("close ") || before.ends_with("shut ");
+    if (closed && naming_.has_lid(thing.noun)) return std::nullopt;
+    if (before.ends_with("lid on ") && !naming_.has_lid(thing.noun)) return std::nullopt;
+    if (before.ends_with(" water ") && !naming_.is_plant(thing.noun)) return std::nullopt;
+    if (before.ends_with("pour it into ") && naming_.is_plant(thing.noun)) return std::nullopt;
     place.inside_description = !whole;
+    place.beside_every = said_all_ && whole;
     const auto named = naming_.phrase(thing, place);
     if (!named || (named->plural && speaks_of_one_)) return std::nullopt;
     const bool article = slot.form == "indefinite" || slot.form == "definite" || slot.form == "slice";
@@ -173,18 +182,24 @@ class Author {
   }
 
   /// The noun alone, to which the phrasing adds what it wants.
-  Text bare(const Formula& binder, bool plural) {
+  Text bare(const Formula& binder, bool plural, std::string_view before) {
     if (binder.op == Op::Forall || binder.op == Op::Count) {
       const std::size_t there = home_.members(binder.domain, binder.variable).size();
-      // "All the mugs" and "two mugs" promise more.
-      if (there == 1 || (there > 0 && static_cast<int>(there) == binder.number)) return std::nullopt;
+      // "All the mugs" and "two mugs" promise more; of two it would be "both".
+      const bool all = binder.op == Op::Forall || static_cast<int>(there) == binder.number;
+      const bool says_both =
+          before.ends_with("oth ") || before.ends_with("One of the ") || before.ends_with("one of the ");
+      if (there == 1 || (there == 2 && all) != says_both) return std::nullopt;
+      if (there > 0 && static_cast<int>(there) == binder.number && !says_both) return std::nullopt;
+      said_all_ = said_all_ || (binder.op == Op::Forall && !before.ends_with("ne of the "));
     }
     NounPhrase thing;
     thing.noun = binder.domain;
     const bool described = !thing.noun.where.empty();
     thing.noun.where.clear();
     if (plural) return described ? std::nullopt : naming_.plural(thing);
-    return naming_.singular(thing.noun);
+    const Text one = naming_.singular(thing.noun);
+    return one && one->starts_with("pair of ") ? std::nullopt : one;  // "the pants that are on the chair"
   }
 
   static bool of_slices(const Domain& noun) {
@@ -194,6 +209,8 @@ class Author {
   const Specification& specification_;
   const NounTable& lexicon_;
   bool speaks_of_one_ = false;  // "the pants" would not go with "it"
+  bool another_ = false;        // the phrasing speaks of another
+  bool said_all_ = false;       // "all the mugs" came before
   Style style_;
   Rng rng_;
   Plan plan_;

@@ -44,6 +44,9 @@ class ClauseReader {
   Clause symbol_first(Predicate predicate, std::string_view link, bool negated);
   Clause changed();
   Clause shared_out();
+  Clause swapped();
+  Clause one_on_each();
+  Clause split_evenly();
   Clause same_number();
   Clause outnumbering();
   void at_the_same_place(Clause& clause);

@@ -10,6 +10,7 @@ namespace unietp {
 namespace {
 
 using Text = std::optional<std::string>;
+using P = Predicate;
 
 Place place_of(const Clause& clause) {
   Place place;
@@ -44,16 +45,14 @@ bool speaks_of(const Clause& clause, const Domain& noun) {
 /// Whether an action is done to an object where it stands: "open the drawer in the kitchen" is clear, "cook the egg on
 /// a table" is not.
 bool is_done_in_place(Predicate predicate) {
-  using P = Predicate;
   return predicate == P::Open || predicate == P::Closed || predicate == P::PowerOn || predicate == P::PowerOff ||
          predicate == P::Held;
 }
 
-/// "Cook the leek next to the knife" and "wash the mug in the kitchen" are clear, too.
+/// "Cook the leek next to the knife" is clear, too; "soak the rag in the kitchen" says where to soak it.
 bool is_told_apart(const Clause& clause) {
   const auto& modifiers = clause.subjects[0].modifiers;
-  return clause.subjects.size() == 1 && !modifiers.empty() &&
-         (modifiers.back().predicate == Predicate::NextTo || modifiers.back().predicate == Predicate::InRoom);
+  return clause.subjects.size() == 1 && !modifiers.empty() && modifiers.back().predicate == Predicate::NextTo;
 }
 
 /// "turn it off" rather than "turn off it"; no long object before "up".
@@ -116,6 +115,11 @@ std::optional<std::string> ClauseWriter::keeping(const Clause& clause) {
 }
 
 std::optional<Words> ClauseWriter::subjects_of(const Clause& clause, Place place) {
+  // "Heat the soup, chill the plum and put both on the table."
+  const bool both = naming_.everyday() && place.moved && clause.subjects.size() == 2 && !clause.any_subject &&
+                    naming_.named_count() == 2 && clause.subjects[0].noun != clause.subjects[1].noun &&
+                    naming_.was_named(clause.subjects[0].variable) && naming_.was_named(clause.subjects[1].variable);
+  if (both) return Words{"both", true};
   std::vector<std::string> texts;
   bool plural = clause.subjects.size() > 1 && !clause.any_subject;
   place.beside_the = clause.subjects.size() > 1 &&
@@ -243,17 +247,25 @@ std::optional<std::string> ClauseWriter::worded(const Clause& clause) {
       if (naming_.everyday() && !places.empty() && naming_.is_carried(places[0].noun))
         std::erase_if(patterns, [](const std::string& pattern) { return pattern == "move {s} to {o}"; });
       // "Grab something to wear": what is named by its use is looked for.
-      if (naming_.everyday() && naming_.names_by_use(clause.subjects[0].noun))
-        std::erase_if(patterns, [](const std::string& pattern) { return pattern == "pick up {s}"; });
+      if (naming_.everyday() && naming_.names_by_use(clause.subjects[0].noun) &&
+          clause.complements[0].predicate == P::Held)
+        patterns = {"grab me {s}"};
+      if (naming_.everyday() && naming_.has_lid(clause.subjects[0].noun))
+        for (std::string& pattern : patterns) pattern = replace_all(pattern, "close {s}", "put the lid on {s}");
+      // Pants are washed.
+      if (naming_.everyday() && naming_.is_pair(clause.subjects[0].noun))
+        std::erase_if(patterns, [](const std::string& pattern) { return pattern == "clean {s}"; });
       // A table is cleaned, not washed.
       if (naming_.everyday() && !naming_.is_carried(clause.subjects[0].noun))
         std::erase_if(patterns, [](const std::string& pattern) { return pattern == "wash {s}"; });
+      if (const Text cut = naming_.everyday() ? cut_first(clause) : std::nullopt) return cut;
       const bool clean_subject = clause.subjects[0].determiner != Determiner::No &&
                                  clause.subjects[0].determiner != Determiner::AtMost &&
                                  clause.subjects[0].determiner != Determiner::Agent;
       if (!patterns.empty() && clean_subject) return filled(chosen(patterns), clause);
     }
   }
+  if (const Text left = naming_.everyday() ? no_more(clause, naming_) : std::nullopt) return left;
   const Text stated = statement(clause, "is");
   return stated ? Text("make sure that " + *stated) : std::nullopt;
 }
@@ -292,6 +304,8 @@ std::optional<std::string> ClauseWriter::special_command(const Clause& clause, b
   for (const Complement& part : clause.complements)
     if (part.negated || (part.predicate != Predicate::On && part.predicate != Predicate::Inside)) return std::nullopt;
   special = true;
+  if (naming_.everyday())
+    if (const Text each = each_somewhere(clause, naming_)) return each;
   const auto moved = naming_.phrase(subject, {});
   if (!moved) return std::nullopt;
   std::vector<std::string> places;
@@ -315,8 +329,10 @@ std::optional<std::string> ClauseWriter::taken_first(const Clause& clause) {
     off = taken_from(place);
     if (!off.empty()) {
       thing.modifiers.pop_back();
-      const bool room = place.predicate == Predicate::InRoom;
-      const auto here = naming_.phrase(place.object[0], {.inside_description = true, .unique = room});
+      // "Take the mug off the desk": where it is, one sees.
+      const bool the =
+          place.predicate == Predicate::InRoom || (place.predicate == Predicate::On && place.object[0].there > 1);
+      const auto here = naming_.phrase(place.object[0], {.inside_description = true, .unique = the});
       if (!here) return std::nullopt;
       there = here->text;
     }
@@ -341,18 +357,38 @@ std::optional<std::string> ClauseWriter::taken_first(const Clause& clause) {
 bool ClauseWriter::described_by_place(const Clause& clause) const {
   const NounPhrase& subject = clause.subjects[0];
   if (clause.subjects.size() != 1 || clause.complements[0].object.empty()) return false;
-  if (naming_.everyday() && subject.determiner == Determiner::Every && !subject.except)
+  const bool counted = subject.determiner == Determiner::Exactly || subject.determiner == Determiner::AtLeast;
+  if (naming_.everyday() && (subject.determiner == Determiner::Every || counted) && !subject.except)
     return !subject.modifiers.empty() && describes_by_place(subject.modifiers.back());
   if (subject.determiner != Determiner::New || naming_.was_named(subject.variable)) return false;
   if (naming_.names_by_use(subject.noun)) return true;
   return !subject.modifiers.empty() && !subject.modifiers.back().object.empty();
 }
 
+/// "cut a slice of cake and chill it", of one that is still to be cut.
+std::optional<std::string> ClauseWriter::cut_first(const Clause& clause) {
+  const NounPhrase& subject = clause.subjects[0];
+  const P state = clause.complements[0].predicate;
+  const bool slice = subject.noun.members.size() == 1 && subject.noun.members[0].slice;
+  if (!slice || clause.subjects.size() != 1 || subject.determiner != Determiner::New || !naming_.says_one_thing() ||
+      !subject.modifiers.empty() || !subject.done.empty() || !clause.complements[0].object.empty() ||
+      (state != P::Cool && (state != P::Hot || rng_.chance(0.5))))
+    return std::nullopt;
+  const std::size_t before = naming_.named_count();
+  const auto cut = naming_.phrase(subject, {});
+  if (cut && (cut->text.starts_with("a slice of ") || cut->text.starts_with("a piece of ")))
+    return "cut " + cut->text + (state == P::Cool ? " and chill it" : " and heat it up");
+  naming_.forget_after(before);
+  return std::nullopt;
+}
+
 std::optional<std::string> ClauseWriter::filled(const std::string& pattern, const Clause& clause) {
   if (described_by_place(clause) && !pattern.starts_with("attach")) return taken_first(clause);
   // Only where the reader expects no place: verbs that end with what they are done to.
+  const P state = clause.complements[0].predicate;
+  const bool switches = naming_.everyday() && (state == P::PowerOn || state == P::PowerOff);
   const bool bare =
-      (pattern.ends_with(" {s}") || pattern.ends_with(" {s} with {m}")) &&
+      (pattern.ends_with(" {s}") || switches || pattern.ends_with(" {s} with {m}")) &&
       (is_done_in_place(clause.complements[0].predicate) || (naming_.everyday() && is_told_apart(clause)));
   const bool moved = pattern.find("{o}") != std::string::npos;
   const bool sought = pattern.starts_with("grab ") || pattern.starts_with("bring ");

@@ -41,6 +41,7 @@ class ClauseWriter {
   std::optional<std::string> special_command(const Clause& clause, bool& special);
   std::optional<std::string> taken_first(const Clause& clause);
   bool described_by_place(const Clause& clause) const;
+  std::optional<std::string> cut_first(const Clause& clause);
   std::optional<std::string> filled(const std::string& pattern, const Clause& clause);
 
   Naming& naming_;

@@ -30,13 +30,25 @@ Clause ClauseReader::command() {
     clause.complements.push_back({P::Held, false, "", {}});
     return clause;
   }
+  if (words_.accept("swap")) return swapped();
   if (words_.accept("divide")) return shared_out();
+  if (words_.accept("split the")) return split_evenly();
+  if (words_.comes("put one of the") && words_.follows("and the other one")) {
+    words_.accept("put one of the");
+    return one_on_each();
+  }
   if (words_.accept("put the same number of")) return same_number();
   if (words_.accept("put more")) return outnumbering();
-  if (words_.accept("pour it into")) return poured();
+  if (words_.accept_one({"pour it into", "water"}) >= 0) return poured();
   if (words_.accept_one({"don't leave any", "do not leave any"}) >= 0) return none_left(true);
   if (words_.accept_one({"don't leave", "do not leave"}) >= 0) return none_left(false);
   if (words_.accept("leave")) return remaining();
+  if (words_.accept("put the lid on")) {
+    Clause clause;
+    clause.subjects = words_.phrases(clause.any_subject);
+    clause.complements.push_back({P::Closed, false, "", {}});
+    return clause;
+  }
   const bool repeated = moving_ && words_.phrase_comes();  // "put a mug on a table and a bowl in a box"
   moving_ = repeated || words_.accept_one({"put", "place", "set"}) >= 0;
   if (moving_) return moved();
@@ -79,14 +91,21 @@ Clause ClauseReader::reached() {
 
 Clause ClauseReader::moved() {
   Clause clause;
+  const bool each = words_.comes("each of the");
   words_.set_results(true);
-  clause.subjects = words_.phrases(clause.any_subject);
+  if (!words_.both_again(clause.subjects)) clause.subjects = words_.phrases(clause.any_subject);
   words_.set_results(false);
   if (!clause.subjects.empty()) words_.set_moved(clause.subjects[0].noun);
   if (!words_.comes("either") && !words_.complement_comes()) words_.fail("expected a place, such as 'on a table'");
   placed(clause);
   for (const Complement& complement : clause.complements)
     if (complement.object.empty() || complement.negated) words_.fail("expected a place before this");
+  if (each && !words_.failed())  // "each of the mugs in a cabinet": not all in the same one
+    for (Complement& complement : clause.complements) {
+      NounPhrase& place = complement.object[0];
+      const bool one = place.determiner == Determiner::New || place.determiner == Determiner::The;
+      if (one && place.modifiers.empty()) place.determiner = Determiner::Any;
+    }
   return clause;
 }
 

@@ -309,11 +309,12 @@ class Composer {
 
   /// "Both mugs" says that there are two, "take the mug off the desk" that one is there.
   void promise(const Resolved& subject, const Clause& clause, const std::vector<Resolved>& objects, const Box& box) {
-    if (subject.phrase->promised == 0 || !subject.local) return;
+    const bool other = subject.phrase->determiner == Determiner::Another;
+    if (subject.phrase->promised == 0 || (!subject.local && !other)) return;
     Formula there;
     there.op = Op::Count;
     there.number = static_cast<int>(subject.phrase->promised);
-    there.variable = subject.term.name;
+    there.variable = other ? references_.fresh() : subject.term.name;
     there.domain = subject.domain;
     there.children = {conjunction({})};
     if (clause.removal || clause.put_down) {

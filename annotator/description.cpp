@@ -47,11 +47,14 @@ std::string Naming::adjective(const Complement& modifier, bool two) {
 }
 
 /// "the kitchen cabinet"
-std::string Naming::room_before(const Complement& modifier) const {
-  const bool room = style_ == Style::Compound && modifier.predicate == Predicate::InRoom && !modifier.negated &&
-                    !modifier.object.empty() && modifier.object[0].noun.members.size() == 1;
+std::string Naming::room_before(const Complement& modifier, const NounPhrase& said) const {
+  const bool fixed = everyday() && said.determiner == Determiner::New && !is_carried(said.noun);
+  const bool room = (fixed || style_ == Style::Compound) && modifier.predicate == Predicate::InRoom &&
+                    !modifier.negated && !modifier.object.empty() && modifier.object[0].noun.members.size() == 1;
   const auto* name = room ? lexicon_.display(modifier.object[0].noun.members[0].category) : nullptr;
-  return name == nullptr ? "" : name->singular;
+  const auto* own = fixed && said.noun.members.size() == 1 ? lexicon_.display(said.noun.members[0].category) : nullptr;
+  if (name == nullptr || (fixed && (own == nullptr || says_room(own->singular)))) return "";
+  return name->singular;
 }
 
 std::optional<Naming::Description> Naming::describe(const NounPhrase& said, Place place) {
@@ -65,7 +68,7 @@ std::optional<Naming::Description> Naming::describe(const NounPhrase& said, Plac
   for (const Complement* const one : modifiers) {
     const Complement& modifier = *one;
     std::string word = everyday() || description.before.empty() ? adjective(modifier, said.two) : "";
-    if (word.empty()) word = room_before(modifier);
+    if (word.empty()) word = room_before(modifier, said);
     const bool size = modifier.predicate == Predicate::Size;
     const bool needed = everyday() || size || style_ == Style::Ellipsis || style_ == Style::Compound;
     if (!word.empty() && (needed || rng_.chance(0.7))) {
@@ -80,6 +83,7 @@ std::optional<Naming::Description> Naming::describe(const NounPhrase& said, Plac
     inside.unique =
         !place.exact && (modifier->predicate == Predicate::Nearest || modifier->predicate == Predicate::InRoom);
     inside.denied = modifier->negated;
+    inside.near = modifier->predicate == Predicate::NextTo;
     if (modifier->converse) {
       const auto object = phrase(modifier->object[0], inside);
       if (!object || rest.size() > 1) return std::nullopt;
@@ -97,7 +101,7 @@ std::optional<Naming::Description> Naming::describe(const NounPhrase& said, Plac
       description.is += (description.is.empty() ? "" : " and ") + *text;
     }
   }
-  description.short_is = everyday() && !description.is.starts_with("not ") && rng_.chance(0.6);
+  description.short_is = everyday() && !description.is.starts_with("not ") && rng_.chance(0.8);
   const bool lasting = std::any_of(rest.begin(), rest.end(), [](const Complement* one) {
     return one->predicate == Predicate::Colour || one->predicate == Predicate::Material ||
            one->predicate == Predicate::Size;

@@ -44,6 +44,12 @@ bool has_until(const Formula& f) {
 void add_states(const Formula& f, const std::string& variable, std::vector<Formula>& into) {
   const bool state = f.op == Op::Atom && f.terms.size() == 1 && f.terms[0].name == variable;
   if (state && f.predicate != Predicate::Held) into.push_back(f);
+  if (f.op == Op::Not) {  // "wipe the ketchup off the table"
+    const Formula* inner = &f.children[0];
+    while (inner->op == Op::AtEnd) inner = &inner->children[0];
+    const bool covered = inner->op == Op::Atom && inner->predicate == Predicate::Covered;
+    if (covered && inner->terms[0].name == variable) into.push_back(negation(*inner));
+  }
   if (f.op == Op::Not || f.op == Op::Or || f.op == Op::Imply || f.op == Op::Until) return;
   for (const Formula& child : f.children) add_states(child, variable, into);
 }
@@ -102,6 +108,15 @@ Formula named_in_home(const Formula& goal, const HomeCounts& home, const Singles
 
 Formula as_in_home(const Formula& goal, const HomeCounts& home) { return named_in_home(goal, home, {}); }
 
+/// "Put a couple of books on the shelf and leave no more than one on the desk.": "both" would leave none there.
+bool leaves_few(const Formula& all, const Formula& part) {
+  return all.op == Op::And && part.op == Op::Count &&
+         std::any_of(all.children.begin(), all.children.end(), [&](const Formula& other) {
+           return other.op == Op::Count && other.comparison == Comparison::AtMost && other.number > 0 &&
+                  other.domain == part.domain;
+         });
+}
+
 Formula plainly_in_home(const Formula& goal, const HomeCounts& home) {
   if (goal.op == Op::Always || has_until(goal)) return goal;
   Formula result = goal;
@@ -111,7 +126,8 @@ Formula plainly_in_home(const Formula& goal, const HomeCounts& home) {
     if (result.op == Op::Forall && there.size() == 1 && !denies(goal.children[0]) && !is_what_is_not(goal.domain))
       result.op = Op::Exists;
   }
-  for (Formula& child : result.children) child = plainly_in_home(child, home);
+  for (Formula& child : result.children)
+    if (!leaves_few(goal, child)) child = plainly_in_home(child, home);
   return result;
 }
 

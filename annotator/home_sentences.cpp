@@ -26,13 +26,12 @@ std::vector<std::string> places_of(const Formula& part, const Formula& goal) {
 
 class SentenceWriter {
  public:
-  SentenceWriter(const Trace& start, const Formula& goal, const std::vector<std::string>& own, const std::string& text,
+  SentenceWriter(const Trace& start, const Formula& goal, const std::vector<std::string>& own,
                  const Knowledge& knowledge, const NounTable& nouns)
       : start_(start),
         facts_(start.states.front()),
         own_(own),
         places_(places_of(goal, goal)),
-        text_(tokens_of(text)),
         knowledge_(knowledge),
         nouns_(nouns) {}
 
@@ -63,13 +62,7 @@ class SentenceWriter {
     return read.nouns.size() == 1 && read.length == tokens_of(name->singular).size() ? name->singular : "";
   }
 
-  NounTable::Name name_in_text(const std::string& category) const {
-    for (const NounTable::Name& other : nouns_.synonyms(category))
-      if (says(text_, other.singular) || says(text_, other.plural)) return other;
-    return *nouns_.display(category);
-  }
-
-  /// "There's already a book on the desk.", of a place that the task is about.
+  /// "The book can stay where it is.", of the only one, in a place that the task is about.
   void tell_place(EntityIndex thing, P relation, EntityIndex place) {
     const Entity &here = start_.entities[thing], &there = start_.entities[place];
     if (std::find(places_.begin(), places_.end(), there.category) == places_.end()) return;
@@ -79,17 +72,16 @@ class SentenceWriter {
     if (relation != P::On && relation != P::Inside) return;
     const auto* known = knowledge_.placement(here.category, relation, there.category);
     if (!category->movable || known == nullptr || known->likelihood < kLikely) return;
-    const NounTable::Name where = name_in_text(there.category);
-    const std::string at = relation == P::On ? " on " : " in ";
-    told_.push_back("There's already " + with_article(name_of(thing)) + at +
-                    (alike(place) == 1 ? "the " + where.singular : "one of the " + where.plural) + ".");
+    const std::string name = name_of(thing);
+    if (alike(thing) != 1 || name.ends_with("door") || name.ends_with("drawer")) return;
+    told_.push_back("The " + name + " can stay where it is.");
+    told_.push_back("You can leave the " + name + " where it is.");
   }
 
   const Trace& start_;
   const Facts& facts_;
   const std::vector<std::string>& own_;
   std::vector<std::string> places_;
-  std::vector<Token> text_;
   const Knowledge& knowledge_;
   const NounTable& nouns_;
   std::vector<std::string> told_;
@@ -98,10 +90,9 @@ class SentenceWriter {
 }  // namespace
 
 std::vector<std::string> home_sentences(const Trace& start, const Formula& goal, const std::vector<std::string>& own,
-                                        const std::string& text, const Knowledge& knowledge, const NounTable& nouns,
-                                        Rng rng) {
+                                        const Knowledge& knowledge, const NounTable& nouns, Rng rng) {
   if (start.states.empty()) return {};
-  auto told = SentenceWriter(start, goal, own, text, knowledge, nouns).sentences();
+  auto told = SentenceWriter(start, goal, own, knowledge, nouns).sentences();
   rng.shuffle(told);
   return told;
 }

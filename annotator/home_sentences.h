@@ -11,11 +11,10 @@
 namespace unietp {
 
 /// Sentences that are true in a home at its start, of things other than `own` categories that lie where the goal puts
-/// something, in an order drawn by rng: "There's already a book on the desk." Only of places that the knowledge base
-/// knows as usual for them, by the names that `text` has for them. All can be read back (parse.h). `start`: a trace
-/// whose first state is the home's. Empty when nothing can be said.
+/// something, in an order drawn by rng: "The book can stay where it is." Only of the only thing of its kind, in a place
+/// that the knowledge base knows as usual for it. All can be read back (parse.h). `start`: a trace whose first state is
+/// the home's. Empty when nothing can be said.
 std::vector<std::string> home_sentences(const Trace& start, const Formula& goal, const std::vector<std::string>& own,
-                                        const std::string& text, const Knowledge& knowledge, const NounTable& nouns,
-                                        Rng rng);
+                                        const Knowledge& knowledge, const NounTable& nouns, Rng rng);
 
 }  // namespace unietp

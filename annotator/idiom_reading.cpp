@@ -32,6 +32,57 @@ Clause ClauseReader::shared_out() {
   return clause;
 }
 
+/// "swap the book on the couch and the magazine on the table": each goes where the other is.
+Clause ClauseReader::swapped() {
+  Clause both;
+  both.kind = Clause::Kind::And;
+  both.parts.resize(2);
+  for (Clause& part : both.parts) {
+    if (&part != &both.parts[0] && words_.accept_one({"and", "with"}) < 0) words_.fail("expected 'and'");
+    words_.set_bare_places(true);
+    part.subjects.push_back(words_.phrase());
+    words_.set_bare_places(false);
+    const auto& where = part.subjects[0].modifiers;
+    const bool placed = where.size() == 1 && describes_by_place(where[0]) && !where[0].negated &&
+                        where[0].object[0].determiner == Determiner::The && where[0].object[0].modifiers.empty();
+    if (!placed) words_.fail("expected what stands on or in the one of its kind, such as 'the mug on the desk'");
+  }
+  if (words_.failed()) return both;
+  for (std::size_t i = 0; i < 2; ++i) both.parts[i].complements = both.parts[1 - i].subjects[0].modifiers;
+  return both;
+}
+
+/// "put one of the mugs on the desk and the other one on the shelf": there are two, and one is on each.
+Clause ClauseReader::one_on_each() {
+  Clause clause;
+  clause.subjects.push_back(words_.bare_noun());
+  clause.subjects[0].determiner = Determiner::Every;
+  clause.subjects[0].promised = 2;
+  clause.complements.push_back(words_.complement());
+  words_.expect("and the other one");
+  clause.complements.push_back(words_.complement());
+  for (const Complement& place : clause.complements)
+    if (place.predicate != P::On || place.negated) words_.fail("expected 'on …' before this");
+  for (Complement& place : clause.complements)
+    if (!words_.failed() && place.object[0].determiner == Determiner::New)
+      place.object[0].determiner = Determiner::Single;
+  clause.any_complement = clause.each_has_one = true;
+  return clause;
+}
+
+/// "split the mugs evenly between the desk and the shelf"
+Clause ClauseReader::split_evenly() {
+  Clause clause;
+  clause.kind = Clause::Kind::Compare;
+  clause.subjects.assign(2, words_.bare_noun());
+  words_.expect("evenly between");
+  clause.complements.push_back({P::On, false, "", {words_.phrase()}});
+  words_.expect("and");
+  clause.complements.push_back({P::On, false, "", {words_.phrase()}});
+  clause.each_has_one = true;
+  return clause;
+}
+
 /// "put the same number of mugs on the desk and on the shelf, with at least one on each"
 Clause ClauseReader::same_number() {
   Clause clause;
@@ -76,8 +127,8 @@ Clause ClauseReader::poured() {
 }
 
 bool ClauseReader::put_down() {
-  return words_.accept_one(
-             {"and put them down", "and put it down", "and put them somewhere else", "and put it somewhere else"}) >= 0;
+  return words_.accept_one({"and put them down", "and put it down", "and put them somewhere else",
+                            "and put it somewhere else", ", put them somewhere else", ", put it somewhere else"}) >= 0;
 }
 
 /// "take the mug off the desk and put it in the sink": the mug that is on the desk. "Take the mug off the desk.": the
@@ -123,7 +174,7 @@ Clause ClauseReader::none_left(bool any) {
     if (clause.complements[0].object.empty()) words_.fail("expected a place before this");
     return clause;
   }
-  clause.subjects.push_back(words_.bare_noun());
+  clause.subjects.push_back(words_.complement_comes() ? words_.last_moved() : words_.bare_noun());
   clause.subjects[0].determiner = Determiner::No;
   words_.complements(clause);
   return clause;
@@ -132,6 +183,14 @@ Clause ClauseReader::none_left(bool any) {
 /// "leave exactly one mug on the desk and put the others somewhere else", "leave no mug on any desk", "leave it open"
 Clause ClauseReader::remaining() {
   Clause clause;
+  if (words_.accept("no more than")) {
+    const int most = words_.number();
+    clause.subjects.push_back(words_.complement_comes() ? words_.last_moved() : words_.bare_noun(most != 1));
+    clause.subjects[0].determiner = Determiner::AtMost;
+    clause.subjects[0].number = most;
+    words_.complements(clause);
+    return clause;
+  }
   const bool open = words_.comes("it open");
   clause.subjects.push_back(words_.phrase());
   words_.complements(clause);
@@ -157,8 +216,12 @@ bool ClauseReader::left_alone(Clause& clause) {
     clause.complements.push_back({P::Closed, false, "", {}});
     return true;
   }
-  if (words_.accept("do not open")) {
+  if (words_.accept_one({"do not open", "don't open"}) >= 0) {
     clause.subjects.push_back(words_.phrase());
+    if (words_.accept("while it's running")) {  // the one that is on
+      clause.subjects[0].determiner = Determiner::Every;
+      clause.subjects[0].modifiers.push_back({P::PowerOn, false, "", {}});
+    }
     if (clause.subjects[0].determiner == Determiner::Any) clause.subjects[0].determiner = Determiner::Every;
     clause.complements.push_back({P::Closed, false, "", {}});
     return true;

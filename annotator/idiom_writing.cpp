@@ -54,9 +54,10 @@ Text from(const Complement& place, std::size_t there, Naming& naming) {
 Text taken_away(const Clause& clause, Naming& naming) {
   const Complement& place = clause.complements[0];
   if (naming.keeps_no()) {
+    const bool named = naming.was_named_kind(clause.subjects[0].noun);
     const auto any = naming.plural(clause.subjects[0]);
     const Text where = any ? naming.complement(place, {.beside_every = true, .beside_none = true}) : std::nullopt;
-    return where && !clause.put_down ? Text("don't leave any " + *any + " " + *where) : std::nullopt;
+    return where && !clause.put_down ? Text("don't leave any " + (named ? "" : *any + " ") + *where) : std::nullopt;
   }
   NounPhrase there = as(clause.subjects[0], Determiner::Every);
   there.there = clause.there_now;
@@ -78,16 +79,16 @@ Text leaving_one(const Clause& clause, Naming& naming) {
 }
 
 Text shared(const Clause& clause, Naming& naming) {
-  const bool even = clause.kind == Clause::Kind::Compare;
-  const auto things = even ? naming.plural(clause.subjects[0]) : std::nullopt;
-  const auto all = even ? std::nullopt : naming.phrase(clause.subjects[0], {.together = true});
-  if (even ? !things : !all) return std::nullopt;
+  const bool even = clause.kind == Clause::Kind::Compare, pair = !even && clause.subjects[0].two;
+  const auto things = even || pair ? naming.plural(clause.subjects[0]) : std::nullopt;
+  const auto all = even || pair ? std::nullopt : naming.phrase(clause.subjects[0], {.together = true});
+  if (even || pair ? !things : !all) return std::nullopt;
   const auto first = naming.phrase(clause.complements[0].object[0], {});
   const auto second = first ? naming.phrase(clause.complements[1].object[0], {}) : std::nullopt;
   if (!second) return std::nullopt;
-  const std::string places = first->text + " and " + (even ? "on " : "") + second->text;
-  const std::string head = even ? "put the same number of " + *things + " on " : "divide " + all->text + " between ";
-  return head + places;
+  if (pair) return "put one of the " + *things + " on " + first->text + " and the other one on " + second->text;
+  const std::string places = " between " + first->text + " and " + second->text;
+  return even ? "split the " + *things + " evenly" + places : "divide " + all->text + places;
 }
 
 /// "put more mugs than plates in the sink"
@@ -114,12 +115,47 @@ bool is_idiom(const Clause& clause) {
 std::optional<std::string> idiom(const Clause& clause, Naming& naming) {
   if (clause.poured) {
     const auto into = naming.phrase(clause.subjects[0], {});
+    if (into && naming.is_plant(clause.subjects[0].noun) && clause.complements[0].symbol == "water")
+      return "water " + into->text;
     return into ? Text("pour it into " + into->text) : std::nullopt;
   }
   if (clause.each_has_one) return shared(clause, naming);
   if (clause.kind == Clause::Kind::Compare) return outnumbering(clause, naming);
   if (clause.subjects[0].determiner == Determiner::Exactly) return leaving_one(clause, naming);
   return taken_away(clause, naming);
+}
+
+std::optional<std::string> each_somewhere(const Clause& clause, Naming& naming) {
+  const NounPhrase& subject = clause.subjects[0];
+  const auto& told = subject.modifiers;
+  const bool plain = std::all_of(told.begin(), told.end(), [](const Complement& one) { return one.object.empty(); });
+  if (subject.determiner != Determiner::Every || subject.except || !plain || subject.there == 1 ||
+      !naming.is_countable(subject.noun))
+    return std::nullopt;
+  std::vector<std::string> places;
+  for (const Complement& said : clause.complements) {
+    const NounPhrase& object = said.object[0];
+    if (object.determiner != Determiner::Any || !object.modifiers.empty() || !naming.is_countable(object.noun))
+      return std::nullopt;
+    const auto place = naming.singular(object.noun);
+    if (!place) return std::nullopt;
+    places.push_back(before_object(said.predicate) + " " +
+                     (naming.is_alone(object.noun) ? "the " + *place : with_article(*place)));
+  }
+  const auto things = naming.phrase(subject, {.together = true});
+  for (const std::string_view all : {"both ", "all the "})
+    if (things && things->text.starts_with(all) && things->text.find(" that ") == std::string::npos)
+      return "put each of the " + things->text.substr(all.size()) + " " + join(places, " or ");
+  return std::nullopt;
+}
+
+std::optional<std::string> no_more(const Clause& clause, Naming& naming) {
+  if (!is_single(clause) || clause.subjects[0].determiner != Determiner::AtMost || clause.subjects[0].number < 1 ||
+      !is_put(clause.complements[0].predicate) || !clause.subjects[0].modifiers.empty() ||
+      !naming.was_named_kind(clause.subjects[0].noun))
+    return std::nullopt;
+  const Text where = naming.complement(clause.complements[0], {});
+  return where ? Text("leave no more than " + number_word(clause.subjects[0].number) + " " + *where) : std::nullopt;
 }
 
 std::optional<std::string> left_alone(const Clause& clause, Naming& naming) {
@@ -140,6 +176,14 @@ std::optional<std::string> left_alone(const Clause& clause, Naming& naming) {
     return one ? Text("do not open " + one->text) : std::nullopt;
   }
   if (subject.determiner != Determiner::Every) return std::nullopt;
+  const bool running = subject.modifiers.size() == 1 && subject.modifiers[0].predicate == P::PowerOn &&
+                       !subject.modifiers[0].negated && naming.is_alone(subject.noun);
+  if (running) {
+    NounPhrase machine = as(subject, Determiner::Any);
+    machine.modifiers.clear();
+    const auto one = naming.phrase(machine, {});
+    return one ? Text("don't open " + one->text + " while it's running") : std::nullopt;
+  }
   if (subject.modifiers.size() == 1 && subject.modifiers[0].predicate == P::Closed && !subject.modifiers[0].negated &&
       naming.was_named_kind(subject.noun))
     return subject.there == 1 ? "leave the other one closed" : "leave the others closed";

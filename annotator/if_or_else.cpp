@@ -44,11 +44,14 @@ std::optional<std::string> if_or_else(const Clause& clause, Naming& naming, Clau
   if (!there || !there->text.starts_with("the ")) return std::nullopt;
   const Text first = clauses.command(open);
   if (!first) return std::nullopt;
-  const Text where = naming.complement(clause.parts[1].complements[0], {});
+  naming.set_topic("");  // "put it on the bed" could be the machine
+  const auto again = naming.phrase(open.subjects[0], {});
+  const Text where = again ? naming.complement(clause.parts[1].complements[0], {}) : std::nullopt;
   naming.forget_after(before);
   if (!where) return std::nullopt;
+  const std::string thing = again->plural ? "them" : again->text;
   return sentence("if " + there->text + " is " + state + ", " + *first, '.') + " " +
-         sentence("if not, put it " + *where, '.');
+         sentence("if not, put " + thing + " " + *where, '.');
 }
 
 }  // namespace unietp

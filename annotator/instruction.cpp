@@ -1,6 +1,7 @@
 #include "annotator/instruction.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <optional>
 
@@ -45,6 +46,19 @@ bool asks_for(const Formula& formula, Predicate state) {
                      [&](const Formula& child) { return asks_for(child, state); });
 }
 
+/// The categories in which a goal wants something, or which it wants open or closed.
+std::vector<std::string> opened_in(const Formula& part, const Formula& goal) {
+  std::vector<std::string> found;
+  const bool is_atom = part.op == Formula::Op::Atom;
+  const bool inside = is_atom && part.predicate == Predicate::Inside;
+  const bool opens = is_atom && (part.predicate == Predicate::Open || part.predicate == Predicate::Closed);
+  if (const Formula* binder = inside || opens ? binder_of(goal, part.terms[inside ? 1 : 0].name) : nullptr)
+    for (const Domain::Member& member : binder->domain.members) found.push_back(member.category);
+  for (const Formula& child : part.children)
+    for (std::string& category : opened_in(child, goal)) found.push_back(std::move(category));
+  return found;
+}
+
 /// What a text is held against: the specification with its goal expanded, and what is known of the home.
 class TextChecker {
  public:
@@ -62,7 +76,8 @@ class TextChecker {
         plain_goal_(expanded(plainly_in_home(goal_, counts_))),
         goal_here_(expanded(as_in_home(goal_, counts_))),
         meant_(meant_alone(plain_goal_, counts_)),
-        meant_by_author_(meant_alone(specification.goal, counts_)) {}
+        meant_by_author_(meant_alone(specification.goal, counts_)),
+        opened_(opened_in(goal_, goal_)) {}
   TextChecker(const TextChecker&) = delete;
 
   const Formula& goal() const { return goal_; }
@@ -75,6 +90,8 @@ class TextChecker {
   /// Variables of the plain goal, and of the specification's, that can mean one thing only (home_counts.h).
   const std::vector<std::string>& meant() const { return meant_; }
   const std::vector<std::string>& meant_by_author() const { return meant_by_author_; }
+  /// Categories in which something is to be, or that are to be opened or closed.
+  const std::vector<std::string>& opened() const { return opened_; }
   const Trace& start() const { return start_; }
 
   bool reads_back(const std::string& text) const {
@@ -142,30 +159,54 @@ class TextChecker {
   Trace start_;  // empty when the home is not known
   HomeCounts counts_;
   Formula goal_, plain_goal_, goal_here_;
-  std::vector<std::string> meant_, meant_by_author_;
+  std::vector<std::string> meant_, meant_by_author_, opened_;
 };
+
+/// Americans turn lights and machines on, and have gray cats.
+std::string american(std::string text) {
+  text = replace_all(text, " grey ", " gray ");
+  text = replace_all(text, " switched o", " turned o");
+  for (const std::string before : {", ", " and ", " then ", ". "}) {
+    text = replace_all(text, before + "switch ", before + "turn ");
+    text = replace_all(text, before + "Switch ", before + "Turn ");
+  }
+  return text.starts_with("Switch ") ? "Turn " + text.substr(7) : text;
+}
+
+/// "Fill something to drink from with water", "put something to read on on the bed", "grab me it".
+bool sounds_right(const std::string& text) {
+  constexpr std::array kNever{" from with ", " with with ",    " in with ", " on with ", " on on ",
+                              " on in ",     " in in ",        " in on ",   " with on ", " with in ",
+                              " me it.",     " on something ", " at first"};
+  // "… put the taco on the table. Put the plum on it.": on the taco?
+  std::size_t from = 0;
+  bool placed = false;
+  for (std::size_t end = text.find('.'); end != text.npos; from = end + 2, end = text.find('.', from)) {
+    const std::string sentence = text.substr(std::min(from, end), end - std::min(from, end));
+    if (placed && (sentence.ends_with(" on it") || sentence.ends_with(" in it"))) return false;
+    placed = lower(sentence).find("put ") != sentence.npos || lower(sentence).find("place ") != sentence.npos;
+  }
+  return std::none_of(kNever.begin(), kNever.end(), [&](const char* words) { return text.find(words) != text.npos; });
+}
 
 /// Adds to a text what a style has besides what is asked. False when there is nothing to add.
 bool add_style_frame(std::string& text, const Specification& specification, Style style, const TextChecker& judge,
                      const Knowledge& knowledge, const NounTable& lexicon, Rng& rng) {
   std::vector<std::string> sentences;
-  if (style == Style::Context || text.find("what I need") != std::string::npos) {
-    for (const auto& [key, phrase] : lexicon.phrases())
-      if (phrase.use == AliasKind::Occasion && ranges_over(specification.goal, phrase.noun))
-        sentences.push_back(phrase.text);
+  for (const auto& [key, phrase] : lexicon.phrases())
+    if (phrase.use == AliasKind::Occasion && ranges_over(specification.goal, phrase.noun) &&
+        text.find(phrase.need) != std::string::npos)
+      sentences.push_back(phrase.text);
+  if (!sentences.empty() || style == Style::Context) {
     if (sentences.empty()) return false;
     text.insert(0, rng.pick(sentences) + " ");
   } else if (style == Style::Aside) {
     auto own = categories_of(specification.goal);
     for (const Formula& start : specification.init)
       for (auto& category : categories_of(start)) own.push_back(std::move(category));
-    sentences = home_sentences(judge.start(), specification.goal, own, text, knowledge, lexicon, rng.fork("home", 0));
+    sentences = home_sentences(judge.start(), specification.goal, own, knowledge, lexicon, rng.fork("home", 0));
     if (sentences.empty()) return false;
-    if (rng.chance(0.5)) {
-      text.insert(0, sentences[0] + " ");
-    } else {
-      text += " " + sentences[0];
-    }
+    text += " " + sentences[0];
   }
   return true;
 }
@@ -183,7 +224,8 @@ std::optional<std::string> request_for(const Formula& goal, const NounTable& lex
 std::optional<std::string> worded(const Plan& plan, const NounTable& lexicon, Style style, Phrasings set,
                                   const TextChecker& judge, double pronouns, const Rng& rng) {
   constexpr std::uint64_t kWordings = 4;
-  const Wording wording{style, set == Phrasings::Everyday, judge.alone(), judge.there(), judge.meant(), pronouns};
+  const Wording wording{
+      style, set == Phrasings::Everyday, judge.alone(), judge.there(), judge.opened(), judge.meant(), pronouns};
   for (std::uint64_t i = 0; i < kWordings; ++i) {
     auto text = realise(plan, lexicon, wording, rng.fork("words", i));
     if (!text || set == Phrasings::Everyday || set == Phrasings::All || phrasings_of(*text, lexicon) == set)
@@ -270,7 +312,15 @@ class Writer {
   }
 
   std::optional<Instruction> accepted(const std::string& written, Style style) const {
-    const std::string text = nouns_.english() == English::Us ? replace_all(written, " grey ", " gray ") : written;
+    std::string text = with_plain_places(nouns_.english() == English::Us ? american(written) : written);
+    const auto where = text.find(" where ");
+    const bool plain = with_plain_places(written) != written;
+    // "Put it where we keep the milk and close it."
+    if (plain && text.find(" it", where) != text.npos) return std::nullopt;
+    if (!sounds_right(text)) return std::nullopt;
+    if (is_everyday()) text = with_tops(std::move(text), nouns_);
+    // Nobody is asked to close "the place where we keep the milk".
+    if (text.find(" the place where ") != text.npos || text.find(" the spot where ") != text.npos) return std::nullopt;
     if (!judge_.reads_back(text) || !style_fault(text, style, specification_.goal, options_.around, nouns_).empty())
       return std::nullopt;
     return Instruction{text,  "grammar",
@@ -289,9 +339,10 @@ class Writer {
       for (std::uint64_t draw = 0; draw < kAuthoredDraws; ++draw) {
         Rng own = rng.fork("phrasing", i * kAuthoredDraws + draw);
         const double pronouns = draw == 0 ? 1 : 0;
-        auto text = authored_text(phrasings[i], specification_, nouns_,
-                                  {style, true, judge_.alone(), judge_.there(), judge_.meant_by_author(), pronouns},
-                                  judge_.counts(), own);
+        auto text = authored_text(
+            phrasings[i], specification_, nouns_,
+            {style, true, judge_.alone(), judge_.there(), judge_.opened(), judge_.meant_by_author(), pronouns},
+            judge_.counts(), own);
         if (!text || !framed(*text, style, own)) break;
         if (style == Style::Ellipsis && !with_contrast(*text, own)) break;
         auto written = accepted(*text, style);

@@ -23,7 +23,8 @@ bool Naming::was_named(const std::string& variable) const {
 }
 
 bool Naming::was_named_kind(const Domain& noun) const {
-  return std::any_of(named_.begin(), named_.end(), [&](const Named& other) { return other.noun == noun; });
+  return std::find(counted_.begin(), counted_.end(), noun) != counted_.end() ||
+         std::any_of(named_.begin(), named_.end(), [&](const Named& other) { return other.noun == noun; });
 }
 
 /// Whether the home may have what is called so.
@@ -48,6 +49,12 @@ std::optional<std::string> Naming::name_of(const Domain::Member& member, bool pl
     if (other)
       if (const auto others = lexicon_.synonyms(member.category); !others.empty()) name = rng_.pick(others);
     if (name.singular.empty()) return std::nullopt;
+    // One opens the oven of a stove.
+    const bool opened =
+        std::find(wording_.opened.begin(), wording_.opened.end(), member.category) != wording_.opened.end();
+    const auto oven =
+        opened && name.singular == "stove" ? lexicon_.noun_at(tokens_of("oven"), 0).nouns : std::vector<Domain>();
+    if (oven.size() == 1 && oven[0] == of_category(member.category)) name.singular = "oven", name.plural = "ovens";
     found = chosen_.emplace(member.category, name).first;
   }
   const NounTable::Name& name = found->second;
@@ -56,9 +63,11 @@ std::optional<std::string> Naming::name_of(const Domain::Member& member, bool pl
     // Nobody speaks of a slice of these.
     for (const char* const several : {"slice of ", "bunch of ", "head of ", "piece of "})
       if (name.singular.starts_with(several)) return std::nullopt;
-    const std::string cut = name.singular == "lettuce" ? "piece" : "slice";
-    const std::string fresh = may_mean_what_is_there(cut + " of " + name.singular) ? "freshly cut " : "";
-    return fresh + cut + (plural ? "s of " : " of ") + name.singular;
+    constexpr std::string_view kStalk = "stalk of ";  // "a slice of celery"
+    const std::string whole = name.singular.starts_with(kStalk) ? name.singular.substr(kStalk.size()) : name.singular;
+    const std::string cut = whole == "lettuce" ? "piece" : "slice";
+    const std::string fresh = may_mean_what_is_there(cut + " of " + whole) ? "freshly cut " : "";
+    return fresh + cut + (plural ? "s of " : " of ") + whole;
   }
   return plural ? name.plural : name.singular;
 }
@@ -89,10 +98,7 @@ std::vector<std::string> Naming::nameless(const Domain& noun, AliasKind use) con
 
 std::vector<std::string> Naming::uses(const Domain& noun) const {
   if (noun.kind != Domain::Kind::Categories || style_ == Style::Alias) return {};
-  if (style_ == Style::Context)
-    return lexicon_.phrases(noun, AliasKind::Occasion).empty()
-               ? std::vector<std::string>()
-               : std::vector<std::string>{"what I need", "what I'll need"};
+  if (style_ == Style::Context) return lexicon_.needs(noun);
   if (style_ == Style::Hypernym) return nameless(noun, AliasKind::Hypernym);
   if (style_ == Style::Description) return nameless(noun, AliasKind::Description);
   if (style_ == Style::Function) return nameless(noun, AliasKind::Function);
@@ -100,8 +106,8 @@ std::vector<std::string> Naming::uses(const Domain& noun) const {
   for (const AliasKind use : {AliasKind::Hypernym, AliasKind::Function, AliasKind::Description})
     if (auto found = lexicon_.phrases(noun, use); !found.empty()) return found;
   constexpr std::size_t kMostListed = 4;  // "an apple, pear or plum"; more have no words but an occasion
-  if (noun.members.size() <= kMostListed || lexicon_.phrases(noun, AliasKind::Occasion).empty()) return {};
-  return {"what I need"};
+  if (noun.members.size() <= kMostListed) return {};
+  return lexicon_.needs(noun);
 }
 
 bool Naming::names_by_use(const Domain& noun) const {
@@ -201,7 +207,7 @@ std::optional<Words> Naming::phrase(const NounPhrase& said, Place place) {
   if (!said.variable.empty() && (place.inside_description || place.beside_none)) {
     if (!everyday() || !is_alone(said.noun) || !said.modifiers.empty()) return std::nullopt;
     mentioned_.push_back(said.variable);
-    return Words{"the " + bare->singular};
+    return Words{"the " + definite_name(bare->singular)};
   }
   if (said.except) return all_but(said, *bare);
   if (!said.done.empty() && said.done[0].predicate == Predicate::SliceOf) {
@@ -211,7 +217,9 @@ std::optional<Words> Naming::phrase(const NounPhrase& said, Place place) {
     return Words{"a slice of it"};
   }
   // Nobody washes "something to drink from".
-  if (everyday() && bare->function && bare->singular.starts_with("something ") && !place.sought) return std::nullopt;
+  if (everyday() && bare->function && bare->singular.starts_with("something ") && !place.sought &&
+      style_ != Style::Context)
+    return std::nullopt;
   if (bare->function && (said.determiner != Determiner::New || !said.modifiers.empty())) return std::nullopt;
 
   const auto description = describe(said, place);
@@ -268,6 +276,7 @@ std::optional<Words> Naming::again(const NounPhrase& said, const Noun& noun, Pla
   const std::string pair = everyday() ? pair_name(said.noun, noun) : "";
   const bool several = is_plural(noun) || !pair.empty();
   if (clear && rng_.chance(usual)) return several ? Words{"them", true} : Words{"it"};
+  if (everyday() && vague) return std::nullopt;
   // "That object" is clear only where no other was named: "that thing to drink from".
   const std::string word = !vague ? noun.singular : named_.size() == 1 ? "object" : named_again(use);
   if (word.empty()) return std::nullopt;
@@ -279,7 +288,7 @@ std::optional<Words> Naming::again(const NounPhrase& said, const Noun& noun, Pla
     return Words{"the " + std::string(kOrdinals[position]) + (noun.countable ? " " : " piece of ") + word};
   }
   if (place.exact) return Words{(place.inside_description ? "that " : "the ") + word};
-  if (everyday() && !vague) return Words{"the " + (pair.empty() ? word : pair), several};
+  if (everyday() && !vague) return Words{"the " + (pair.empty() ? definite_name(word) : pair), several};
   const std::string article =
       vague || noun.countable ? pick({"that", "that", "the same", "the"}) : pick({"that", "the same"});
   return Words{article + " " + word};
@@ -312,7 +321,7 @@ std::optional<Words> Naming::first(const NounPhrase& said, const Noun& noun, Pla
   if (another && everyday() && place.moved && said.modifiers.empty() && noun.countable) {
     const auto last =
         std::find_if(named_.begin(), named_.end(), [&](const Named& one) { return one.variable == topic_; });
-    if (last != named_.end() && last->noun == said.noun) return Words{"another"};
+    if (last != named_.end() && last->noun == said.noun) return Words{said.there == 2 ? "the other" : "another"};
   }
   if (another) {
     const std::string word = before + (noun.countable ? noun.singular : "piece of " + noun.singular);
@@ -347,17 +356,20 @@ std::optional<Words> Naming::counted(const NounPhrase& said, const Noun& noun, P
   std::string text;
   plural = said.number != 1;
   const bool the = everyday() && said.there == 1;
+  counted_.push_back(said.noun);
   if (the && (said.determiner == Determiner::Every || said.determiner == Determiner::Any)) {
     mentioned_.emplace_back();
     const std::string pair = pair_name(said.noun, noun);
     const bool several = is_plural(noun) || !pair.empty();
-    return Words{"the " + before + (pair.empty() ? noun.singular : pair) + description.tail(several), several};
+    return Words{"the " + before + (pair.empty() ? definite_name(noun.singular) : pair) + description.tail(several),
+                 several};
   }
   switch (said.determiner) {
     case Determiner::Any:
       plural = false;
       mentioned_.emplace_back();
-      if (everyday() && is_alone(said.noun) && said.modifiers.empty()) return Words{"the " + noun.singular};
+      if (everyday() && is_alone(said.noun) && said.modifiers.empty())
+        return Words{"the " + definite_name(noun.singular)};
       if (!noun.countable) return std::nullopt;
       if (everyday() && place.beside_every && said.modifiers.empty()) return Words{"the " + many, true};
       text = "any " + one;
@@ -371,6 +383,10 @@ std::optional<Words> Naming::counted(const NounPhrase& said, const Noun& noun, P
         plural = plural || (everyday() && rng_.chance(0.5));
         const std::string all = everyday() ? "all the" : pick({"all", "all the", "all of the"});
         text = plural ? all + " " + many : (everyday() ? "every" : pick({"every", "each"})) + " " + one;
+      }
+      if (const std::string pair = everyday() ? pair_name(said.noun, noun) : ""; !pair.empty()) {
+        plural = true;
+        text = "all the " + before + pair;
       }
       if (said.two && noun.countable && (everyday() || rng_.chance(0.8))) {
         plural = true;
@@ -388,7 +404,8 @@ std::optional<Words> Naming::counted(const NounPhrase& said, const Noun& noun, P
         text = pick({"exactly ", "exactly ", "precisely "}) + number;
       break;
     case Determiner::AtLeast:
-      if (style_ == Style::VagueQuantity && noun.countable && (said.number == 2 || said.number == 3))
+      if ((style_ == Style::VagueQuantity || (everyday() && !place.exact)) && noun.countable &&
+          (said.number == 2 || said.number == 3))
         return Words{(said.number == 2 ? "a couple of " : "a few ") + many + description.tail(true), true};
       text = (everyday() ? "at least " : pick({"at least ", "no fewer than "})) + number;
       break;

@@ -22,11 +22,12 @@ struct Words {
 /// How a plan is worded.
 struct Wording {
   Style style = Style::Direct;
-  bool everyday = true;                     // as people ask for things; false: a wide choice of frames and statements
-  std::span<const std::string> alone = {};  // categories and room types of which the home has one, sorted: "the sink"
-  std::span<const std::string> there = {};  // those of which it has any, sorted; empty where the home is not known
-  std::span<const std::string> meant = {};  // variables of which one thing only is left to be meant, sorted
-  double pronouns = 1;                      // share of things that are "it" where that is clear
+  bool everyday = true;                      // as people ask for things; false: a wide choice of frames and statements
+  std::span<const std::string> alone = {};   // categories and room types of which the home has one, sorted: "the sink"
+  std::span<const std::string> there = {};   // those of which it has any, sorted; empty where the home is not known
+  std::span<const std::string> opened = {};  // categories in which something is to be, or that are opened or closed
+  std::span<const std::string> meant = {};   // variables of which one thing only is left to be meant, sorted
+  double pronouns = 1;                       // share of things that are "it" where that is clear
 };
 
 /// The context of a noun phrase that limits its determiner.
@@ -35,6 +36,7 @@ struct Place {
   bool beside_none = false;   // "no mug is on …": nothing new can be named
   bool inside_description = false;
   bool unique = false;      // the home has one only: "nearest to the sink"
+  bool near = false;        // of a description: what it is next to
   bool denied = false;      // of a description: what it does not fit, "that is not in any sink"
   bool wanted = false;      // some such thing, not one that is there: "someone wants a hot potato"
   bool bare = false;        // no place follows, so a place can describe the noun: "open the drawer in the kitchen"
@@ -88,6 +90,12 @@ class Naming {
   bool was_named(const std::string& variable) const;
   /// Whether such an object may be named by its use alone, "something to drink from".
   bool names_by_use(const Domain& noun) const;
+  /// Whether it is a pair with a name of its own: "pants".
+  bool is_pair(const Domain& noun) const;
+  /// Whether it is watered rather than filled.
+  bool is_plant(const Domain& noun) const;
+  /// Whether people put a lid on it rather than close it.
+  bool has_lid(const Domain& noun) const;
   /// Whether it is sprinkled on food: salt, and what else the home's base has a shaker of.
   bool comes_from_a_shaker(const std::string& substance) const;
   /// The bare noun of one thing.
@@ -132,7 +140,8 @@ class Naming {
   /// "some dirty mug", "every mug": what a proposition goes on to speak of.
   std::optional<Words> bound(const NounPhrase& phrase, const Noun& noun, const Description& description);
   std::string adjective(const Complement& modifier, bool two);
-  std::string room_before(const Complement& modifier) const;
+  std::string room_before(const Complement& modifier, const NounPhrase& said) const;
+  bool says_room(const std::string& name) const;
   std::optional<Words> first(const NounPhrase& phrase, const Noun& noun, Place place, const Description& description);
   std::optional<Words> all_but(const NounPhrase& phrase, const Noun& noun);
   /// "pants", where "the pair of pants" is meant; "" for others.
@@ -151,12 +160,15 @@ class Naming {
   bool is_one_again(const NounPhrase& phrase) const;
   int mentions_of(const Domain& noun) const;
   std::vector<Named> named_;
-  std::vector<std::string> mentioned_;  // variables, the latest last; "": what "it" cannot mean
-  std::size_t clause_ = 0;              // mentions before the present clause
-  std::string topic_;                   // a variable, or ""
-  std::vector<Domain> several_;
+  std::vector<std::string> mentioned_;             // variables, the latest last; "": what "it" cannot mean
+  std::size_t clause_ = 0;                         // mentions before the present clause
+  std::string topic_;                              // a variable, or ""
+  std::vector<Domain> several_, counted_;          // what "the red one" may be one of; "both mugs"
   std::map<std::string, NounTable::Name> chosen_;  // one name per category in a text
 };
+
+/// The name after "the".
+std::string definite_name(const std::string& name);
 
 /// "two", "12"
 std::string number_word(int number);

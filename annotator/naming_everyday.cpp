@@ -5,7 +5,7 @@
 namespace unietp {
 namespace {
 
-constexpr double kOneOf = 0.3;  // of the places of which there are several
+constexpr double kOneOf = 0.2;  // of the places of which there are several
 
 }  // namespace
 
@@ -17,6 +17,20 @@ bool Naming::is_alone(const Domain& noun) const {
 bool Naming::is_carried(const Domain& noun) const {
   const NounTable::Name* name = noun.members.size() == 1 ? lexicon_.display(noun.members[0].category) : nullptr;
   return name != nullptr && name->movable;
+}
+
+bool Naming::has_lid(const Domain& noun) const {
+  const NounTable::Name* name = noun.members.size() == 1 ? lexicon_.display(noun.members[0].category) : nullptr;
+  return name != nullptr && (name->singular.ends_with("pot") || name->singular.ends_with("kettle"));
+}
+
+bool Naming::is_plant(const Domain& noun) const {
+  const NounTable::Name* name = noun.members.size() == 1 ? lexicon_.display(noun.members[0].category) : nullptr;
+  return name != nullptr && name->singular.ends_with("plant");
+}
+
+bool Naming::is_pair(const Domain& noun) const {
+  return noun.members.size() == 1 && !lexicon_.without_pair(noun.members[0].category).empty();
 }
 
 bool Naming::comes_from_a_shaker(const std::string& substance) const {
@@ -64,12 +78,25 @@ bool Naming::says_one_of(const NounPhrase& said, const Noun& noun, Place place, 
       place.chosen)
     return false;
   const bool room = lexicon_.is_room_type(said.noun.members[0].category);
-  return room || place.beside_the || (!is_carried(said.noun) && rng_.chance(kOneOf));
+  return room || place.beside_the || says_room(noun.singular) || (!is_carried(said.noun) && rng_.chance(kOneOf));
+}
+
+/// "Kitchen counter": nobody has "a kitchen counter" at home.
+bool Naming::says_room(const std::string& name) const {
+  const auto words = tokens_of(name);
+  const std::size_t room = lexicon_.room_at(words, 0).length;
+  return room > 0 && room < words.size();
 }
 
 std::string Naming::pair_name(const Domain& domain, const Noun& noun) const {
   const bool pair = domain.members.size() == 1 && !domain.members[0].slice && noun.singular.starts_with("pair of ");
   return pair ? lexicon_.without_pair(domain.members[0].category) : "";
+}
+
+/// "The pizza half" rather than "the half pizza", as there are "pizza halves"; "half a pizza" stays.
+std::string definite_name(const std::string& name) {
+  constexpr std::string_view kHalf = "half ";
+  return name.starts_with(kHalf) && name.find(" of ") == name.npos ? name.substr(kHalf.size()) + " half" : name;
 }
 
 Words Naming::first_everyday(const NounPhrase& said, const Noun& noun, Place place, const Description& description) {
@@ -79,16 +106,30 @@ Words Naming::first_everyday(const NounPhrase& said, const Noun& noun, Place pla
   const bool alone = is_meant_alone(said) && !place.wanted && !place.chosen;
   // What describes something is told apart by it: "the mug on the desk", also where there is another desk.
   const bool describes = place.inside_description && !place.denied && said.modifiers.empty() &&
-                         said.noun.kind == Domain::Kind::Categories &&
+                         said.noun.kind == Domain::Kind::Categories && said.there < 2 &&
                          !lexicon_.is_room_type(said.noun.members[0].category) && mentions_of(said.noun) == 1;
   // Within a description "the desk" may be read otherwise than it is meant.
   const bool the = (alone || describes) && (!place.inside_description || wording_.pronouns == 1 || rng_.chance(0.5));
   const bool definite = the || place.unique || (described && !place.inside_description);
   if (const std::string pair = definite ? pair_name(said.noun, noun) : ""; !pair.empty())
     return {"the " + description.before + pair + description.tail(true), true};
-  if (definite) return {"the " + description.before + noun.singular + tail, is_plural(noun)};
+  if (definite) return {"the " + description.before + definite_name(noun.singular) + tail, is_plural(noun)};
   const std::string one = description.before + (noun.countable ? noun.singular : "piece of " + noun.singular) + tail;
-  if (place.beside_every) return {"the same " + one};
+  // "The mug on one of the desks", of which there are several.
+  const bool told_by_one = place.inside_description && !place.denied && !place.near && said.there > 1 && !described &&
+                           noun.countable && !noun.function && !is_carried(said.noun);
+  if (told_by_one) return {"one of the " + noun.plural};
+  if (place.beside_every) {
+    const bool several = said.there > 1 && !described && noun.countable && !is_carried(said.noun);
+    const bool room = !said.noun.members.empty() && lexicon_.is_room_type(said.noun.members[0].category);
+    if (several && (room || rng_.chance(kOneOf))) return {"one of the " + noun.plural};
+    return {"the same " + one};
+  }
+  // "Put one pillow on the bed and the other on the couch."
+  const auto is_this = [&](const auto& two) { return two.first == said.variable; };
+  if (said.there == 2 && place.moved && noun.countable &&
+      std::any_of(plan_.distinct.begin(), plan_.distinct.end(), is_this))
+    return {"one " + one};
   if (says_one_of(said, noun, place, described)) return {"one of the " + noun.plural};
   if (noun.countable) return {with_article(one)};
   return {"some " + description.before + noun.singular + tail, is_plural(noun)};

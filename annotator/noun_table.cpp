@@ -27,7 +27,7 @@ std::string spaced(const std::string& name) {
   return lower(text);
 }
 
-constexpr std::string_view kPair = "pair of ", kHalf = "half ";
+constexpr std::string_view kPair = "pair of ", kHalf = "half ", kStalk = "stalk of ";
 constexpr double kSaid = 0.8;  // the confidence of names that people say; a dictionary's are only read
 /// Whether a name is of one thing, as "glasses" is not.
 bool is_one(std::string_view name) {
@@ -89,6 +89,37 @@ std::string named_again(std::string_view use) {
   return "";
 }
 
+constexpr std::array<std::string_view, 2> kPlaces{"the place where ", "the spot where "};
+
+std::string where_of(std::string_view use) {
+  for (const std::string_view place : kPlaces)
+    if (use.starts_with(place)) return std::string(use.substr(place.size() - std::string_view("where ").size()));
+  return "";
+}
+
+std::string with_plain_places(std::string text) {
+  for (const std::string_view place : kPlaces)
+    for (const std::string_view at : {" in ", " into ", " on ", " onto ", " to "})
+      text = replace_all(text, std::string(at) + std::string(place), " where ");
+  return text;
+}
+
+std::string with_tops(std::string text, const NounTable& nouns) {
+  constexpr std::array kHeads{"cabinet", "cabinets", "cupboard", "cupboards", "wardrobe", "wardrobes"};
+  const std::vector<Token> tokens = tokens_of(text);
+  const auto is = [&](std::size_t at, std::string_view word) { return at < tokens.size() && tokens[at].text == word; };
+  for (std::size_t i = tokens.size(); i-- > 1;) {
+    if (!is(i, "on") || is(i - 1, "turn") || is(i - 1, "switch") || is(i - 1, "lid")) continue;
+    std::size_t at = i + 1;
+    while (is(at, "the") || is(at, "a") || is(at, "one") || is(at, "of") || is(at, "same")) ++at;
+    const std::size_t length = nouns.noun_at(tokens, at).length;
+    const bool high = length > 0 && std::any_of(kHeads.begin(), kHeads.end(),
+                                                [&](const char* head) { return is(at + length - 1, head); });
+    if (high && at > i + 1) text.insert(static_cast<std::size_t>(tokens[i].column) + 1, " top of");
+  }
+  return text;
+}
+
 NounTable::NounTable(const Knowledge& knowledge, English english) {
   Names made;
   made.english = english;
@@ -112,9 +143,14 @@ NounTable::NounTable(const Knowledge& knowledge, English english) {
     const Domain noun = of_category(category.name);
     add(made.nouns, category.display, noun, category.countable, false, !category.countable, 0);
     const std::string& said = made.names[category.name].singular;
+    if (said == "stove" && !taken.contains("oven"))
+      for (const auto& [text, plural] : {std::pair{"oven", false}, std::pair{"ovens", true}})
+        add(made.nouns, text, noun, !plural, plural, false, 1);
     if (said.starts_with(kPair)) add(made.nouns, said.substr(kPair.size()), noun, false, false, true, 2);
+    if (said.starts_with(kStalk)) add(made.nouns, said.substr(kStalk.size()), noun, false, false, true, 2);
     if (said.starts_with(kHalf)) {
       made.names[category.name].plural = said.substr(kHalf.size()) + " halves";
+      add(made.nouns, said.substr(kHalf.size()) + " half", noun, true, false, false, 0);
       add(made.nouns, made.names[category.name].plural, noun, false, true, false, 0);
     }
     if (category.countable) add(made.nouns, category.plural, noun, false, true, false, 0);
@@ -145,6 +181,7 @@ NounTable::NounTable(const Knowledge& knowledge, English english) {
     }
     add(in_full_, text, phrase.noun, true, false, false, 0);
     add(again_, named_again(text), phrase.noun, true, false, false, 0);
+    add(where_, where_of(text), phrase.noun, true, false, false, 0);
   }
   if (rooms.empty()) rooms.insert(kUsualRooms.begin(), kUsualRooms.end());
   for (const std::string& room : rooms) {
@@ -183,7 +220,13 @@ void NounTable::add_phrase(const Alias& alias) {
     state = predicate_named(text.substr(0, text.find(' '))).value_or(state);
     text.remove_prefix(std::min(text.find(' ') + 1, text.size()));
   }
-  const auto [at, is_new] = phrases_.try_emplace(lower(text), Phrase{alias.kind, {}, state, std::string(text)});
+  std::string need;
+  if (alias.kind == AliasKind::Occasion) {  // "something to stir it with: I want to stir the soup."
+    const auto end = text.find(": ");
+    need = end == text.npos ? "what I need" : std::string(text.substr(0, end));
+    if (end != text.npos) text.remove_prefix(end + 2);
+  }
+  const auto [at, is_new] = phrases_.try_emplace(lower(text), Phrase{alias.kind, {}, state, std::string(text), need});
   auto& members = at->second.noun.members;
   const Domain::Member member{alias.category, false};
   if (at->second.use != alias.kind || at->second.state != state) return;
@@ -243,10 +286,18 @@ std::vector<std::string> NounTable::phrases(const Domain& noun, AliasKind use) c
   return texts;
 }
 
+std::vector<std::string> NounTable::needs(const Domain& noun) const {
+  std::vector<std::string> found;
+  for (const std::string& sentence : phrases(noun, AliasKind::Occasion))
+    found.push_back(phrases_.find(lower(sentence))->second.need);
+  return found;
+}
+
 void NounTable::narrow(const std::string& phrase, const Domain& noun) {
   phrases_[lower(phrase)].noun = noun;
   narrow(in_full_, phrase, noun);
   narrow(again_, named_again(phrase), noun);
+  narrow(where_, where_of(phrase), noun);
 }
 
 void NounTable::narrow(Index& index, std::string_view words, const Domain& noun) {
@@ -340,6 +391,10 @@ NounTable::Reading NounTable::function_at(const std::vector<Token>& tokens, std:
 
 NounTable::Reading NounTable::function_again_at(const std::vector<Token>& tokens, std::size_t at) const {
   return longest(again_, tokens, at);
+}
+
+NounTable::Reading NounTable::where_at(const std::vector<Token>& tokens, std::size_t at) const {
+  return longest(where_, tokens, at);
 }
 
 std::pair<const NounTable::Phrase*, std::size_t> NounTable::sentence_at(const std::vector<Token>& tokens,

@@ -30,6 +30,15 @@ bool says(const std::vector<Token>& text, std::string_view name);
 /// "" for what has no singular, as "leaves for a salad".
 std::string named_again(std::string_view use);
 
+/// "where we keep the milk" of "the place where we keep the milk"; "" for what names no place so.
+std::string where_of(std::string_view use);
+/// The same of every such phrase behind a preposition in a text: "in the place where we keep the milk".
+std::string with_plain_places(std::string text);
+
+/// "On top of the cabinet" for "on the cabinet", which is heard as a slip for "in".
+class NounTable;
+std::string with_tops(std::string text, const NounTable& nouns);
+
 /// "a mug", "an apple", "an hour glass", "a utensil": by pronunciation; "half an apple".
 std::string with_article(const std::string& noun);
 
@@ -56,6 +65,7 @@ class NounTable {
     Domain noun;
     Predicate state = Predicate::Open;  // of a request: what it asks for
     std::string text;                   // as it is written
+    std::string need;                   // of an occasion: "something to make it with"
   };
   /// What a pair is called where it is clear that there is one: "pants"; "" for what is no pair, and for what would
   /// mean something else, too.
@@ -63,6 +73,8 @@ class NounTable {
   /// The phrases of one use that mean exactly these categories, in order of text.
   std::vector<std::string> phrases(const Domain& noun, AliasKind use) const;
 
+  /// What is needed on the occasions that need exactly these, in order of their sentences.
+  std::vector<std::string> needs(const Domain& noun) const;
   /// Every phrase by its text; `narrow` restricts one to the categories that a goal allows.
   const std::map<std::string, Phrase, std::less<>>& phrases() const { return phrases_; }
   void narrow(const std::string& phrase, const Domain& noun);
@@ -89,6 +101,8 @@ class NounTable {
   Reading room_at(const std::vector<Token>& tokens, std::size_t at) const;
   /// The phrase that starts here, unless a name goes on behind its article: "a light switch" is no light.
   Reading function_at(const std::vector<Token>& tokens, std::size_t at) const;
+  /// The same for "where we keep the milk", of "the place where we keep the milk".
+  Reading where_at(const std::vector<Token>& tokens, std::size_t at) const;
   /// The same for a function phrase that is named again, after "that".
   Reading function_again_at(const std::vector<Token>& tokens, std::size_t at) const;
   /// The occasion or request that starts here, with its number of tokens; nullptr when there is none.
@@ -118,7 +132,7 @@ class NounTable {
   };
   std::shared_ptr<const Names> fixed_;
   std::map<std::string, Phrase, std::less<>> phrases_;  // by text, lower case
-  Index in_full_, again_;                               // of noun phrases: in full, and when named again
+  Index in_full_, again_, where_;  // of noun phrases: in full, when named again, and of places from "where" on
 };
 
 }  // namespace unietp

@@ -27,6 +27,8 @@ bool has_phrase_of(const std::vector<Token>& words, Style style, const std::vect
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (const auto* sentence = lexicon.sentence_at(words, i).first)
       if (sentence->use == phrases_of(style) && is_about(sentence->noun, categories)) return true;
+    const auto where = lexicon.where_at(words, i);
+    if (style == Style::Description && where.length > 0 && is_about(where.nouns.front(), categories)) return true;
     const auto phrase = lexicon.function_at(words, i);
     if (phrase.length == 0 || !is_about(phrase.nouns.front(), categories)) continue;
     std::string said;

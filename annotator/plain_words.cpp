@@ -63,7 +63,8 @@ constexpr std::array<std::string_view, 9> kPlainWords{
     "work. works. turn. turns. turned. turning. become. becomes. end. ends. finish. finished. complete. proceed. "
     "begin. "
     "try. wait. happen. happens. belong. belongs. contain. contains. containing. hold. holding. located. situated. "
-    "ahead. divide. divided. share. shared. freshly. different. accepted. meant. remove. removed. clear. cleared. "
+    "ahead. divide. divided. evenly. share. shared. freshly. different. accepted. meant. remove. removed. clear. "
+    "cleared. "
     "available. present. require. "
     "required. requires. follow. following. perform. want. wants. wanted",
     // places and kinds that name nothing

@@ -52,6 +52,12 @@ bool PhraseReader::comes(std::string_view words) const {
   return true;
 }
 
+bool PhraseReader::follows(std::string_view words) const {
+  for (PhraseReader ahead = *this; !ahead.done() && ahead.peek() != "."; ++ahead.at_)
+    if (ahead.comes(words)) return true;
+  return false;
+}
+
 bool PhraseReader::accept(std::string_view words) {
   if (failed() || !comes(words)) return false;
   at_ += static_cast<std::size_t>(std::count(words.begin(), words.end(), ' ')) + 1;
@@ -78,7 +84,8 @@ bool PhraseReader::phrase_comes() const {
   if (number_in(peek())) return true;
   for (const char* start : {"at least", "at most"})
     if (comes(start)) return number_in(peek(2)).has_value();
-  return comes("no fewer than") || comes("no more than") || lexicon_.function_at(tokens_, at_).length > 0;
+  return (occasion_ && comes(need_)) || comes("no fewer than") || comes("no more than") ||
+         lexicon_.function_at(tokens_, at_).length > 0;
 }
 
 NounPhrase PhraseReader::phrase() {
@@ -89,6 +96,7 @@ NounPhrase PhraseReader::phrase() {
     read.determiner = Determiner::Agent;
     return read;
   }
+  if (needed_for_occasion(read)) return read;
   // "a light switch" is no light, and "a toy" is what is called so where something is.
   const std::size_t named =
       comes("a") || comes("an") || comes("the") ? lexicon_.noun_at(tokens_, at_ + 1).length + 1 : 0;
@@ -98,7 +106,7 @@ NounPhrase PhraseReader::phrase() {
     read.by_function = true;
     return read;
   }
-  if (needed_for_occasion(read) || slice_of_it(read)) return read;
+  if (slice_of_it(read)) return read;
   if (accept_one({"it", "them"}) >= 0) {
     read.determiner = Determiner::It;
     return read;
@@ -140,6 +148,12 @@ NounPhrase PhraseReader::phrase() {
     read.noun = *moved_;
     return read;
   }
+  if (comes("the other") && moved_ && lexicon_.noun_at(tokens_, at_ + 2).length == 0 && accept("the other")) {
+    read.determiner = Determiner::Another;  // "put one mug on the table and the other on the shelf": there are two
+    read.noun = *moved_;
+    read.promised = 2;
+    return read;
+  }
   for (const auto& [words, size] : kOfTwo) {
     if (!accept(words)) continue;
     read.modifiers.push_back({P::Size, false, std::string(size), {}});
@@ -158,6 +172,7 @@ NounPhrase PhraseReader::phrase() {
     if (accept("or other")) read.determiner = Determiner::Any;
     return read;
   }
+  if (accept("each of the")) return as(Determiner::Every, true);
   if (accept_one({"every", "each"}) >= 0) return as(Determiner::Every);
   if (accept_one({"all of the", "all the", "all"}) >= 0) return as(Determiner::Every, true);
   if (accept_one({"both of the", "both the", "both"}) >= 0) {
@@ -226,6 +241,31 @@ NounPhrase PhraseReader::last_noun() {
   read.column = column();
   if (named_.empty()) fail("expected what is spoken of before this");
   if (!named_.empty()) read.noun = named_.back();
+  return read;
+}
+
+bool PhraseReader::both_again(std::vector<NounPhrase>& phrases) {
+  const std::size_t here = at_;
+  if (named_.size() != 2 || !accept("both")) return false;
+  if (peek() != "on" && peek() != "in" && peek() != "into" && peek() != "onto") {
+    at_ = here;
+    return false;
+  }
+  for (const Domain& noun : named_) {
+    NounPhrase again;
+    again.determiner = Determiner::Known;
+    again.noun = noun;
+    again.column = column();
+    phrases.push_back(std::move(again));
+  }
+  return true;
+}
+
+NounPhrase PhraseReader::last_moved() {
+  NounPhrase read;
+  read.column = column();
+  if (!moved_) fail("expected what is put somewhere before this");
+  read.noun = moved_.value_or(Domain());
   return read;
 }
 
@@ -312,8 +352,8 @@ void PhraseReader::description(NounPhrase& read) {
 
 /// "what I need for that", behind a sentence such as "I want to make a salad."
 bool PhraseReader::needed_for_occasion(NounPhrase& read) {
-  if (accept_one({"what i need for that", "what we need for that", "the right thing for that", "what i need",
-                  "what i'll need"}) < 0)
+  if (accept_one({"what i need for that", "what we need for that", "the right thing for that"}) < 0 &&
+      (!occasion_ || !accept(need_)) && accept_one({"what i need", "what i'll need"}) < 0)
     return false;
   if (!occasion_) fail("what is needed is not clear without a sentence about an occasion, before this");
   read.noun = occasion_.value_or(Domain());
@@ -339,7 +379,7 @@ bool PhraseReader::room_before_noun(NounPhrase& read) {
 
 /// "one" in "the red one": one of what was named before.
 bool PhraseReader::one_again(NounPhrase& read) {
-  if (read.determiner != Determiner::The || named_.empty() || !accept("one")) return false;
+  if (read.determiner != Determiner::The || named_.empty() || accept_one({"ones", "one"}) < 0) return false;
   read.noun = named_[named_.size() - 1 - choices_.choose(named_.size())];
   return true;
 }
@@ -383,7 +423,7 @@ void PhraseReader::with_something(NounPhrase& read) {
 void PhraseReader::direct_description(NounPhrase& read) {
   if (comes("nearest to") || comes("closest to")) {
     read.modifiers.push_back(complement());
-  } else if (accept("where")) {
+  } else if (lexicon_.where_at(tokens_, at_).length == 0 && accept("where")) {
     read.modifiers.push_back({P::Inside, false, "", {phrase()}, true});
     if (accept_one({"is kept", "is"}) < 0) fail("expected 'is' or 'is kept'");
   } else if (accept("on which")) {

@@ -9,6 +9,7 @@
 #include "annotator/noun_table.h"
 #include "annotator/word_choices.h"
 #include "core/result.h"
+#include "core/text.h"
 
 namespace unietp {
 
@@ -31,6 +32,8 @@ class PhraseReader {
   bool accept(std::string_view words);
   /// Whether the words come next.
   bool comes(std::string_view words) const;
+  /// Whether the words come later in the sentence.
+  bool follows(std::string_view words) const;
   /// Consumes one of these and returns its index; -1 when none comes next.
   int accept_one(std::initializer_list<std::string_view> choices);
   /// Consumes the words; fails if they do not come next.
@@ -48,14 +51,18 @@ class PhraseReader {
   NounPhrase bare_noun(bool plural = true);
   /// Things of the kind that was named last.
   NounPhrase last_noun();
+  /// "both", followed by a place, of the two things that were named: these; false, with nothing read, when none comes.
+  bool both_again(std::vector<NounPhrase>& phrases);
+  /// Things of the kind that was put somewhere last: "don't leave any on the desk".
+  NounPhrase last_moved();
   /// "three", "12".
   int number();
   /// "a mug, every bowl and that fork"; `any` becomes true for "or".
   std::vector<NounPhrase> phrases(bool& any);
   bool complement_comes() const;
   Complement complement();
-  /// What "what I need for that" means from here on.
-  void set_occasion(const Domain& needed) { occasion_ = needed; }
+  /// What `need`, "something to make it with", and "what I need for that" mean from here on.
+  void set_occasion(const Domain& needed, const std::string& need) { occasion_ = needed, need_ = lower(need); }
   /// "Another" alone is of this kind from here on.
   void set_moved(const Domain& moved) { moved_ = moved; }
   /// From here on what is put somewhere may say what is to be done to it: "put a heated egg on a plate".
@@ -101,6 +108,7 @@ class PhraseReader {
   const NounTable& lexicon_;
   WordChoices& choices_;
   std::optional<Domain> occasion_, moved_;
+  std::string need_;           // of the occasion
   std::vector<Domain> named_;  // what "the red one" may be one of
   std::vector<NounPhrase> contrasts_;
   int depth_ = 0;  // of descriptions, whose nouns it cannot be

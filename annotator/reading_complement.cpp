@@ -33,6 +33,7 @@ std::optional<Predicate> PhraseReader::on_or_off() const {
 }
 
 bool PhraseReader::complement_comes() const {
+  if (lexicon_.where_at(tokens_, at_).length > 0) return true;
   if (on_or_off()) return true;
   if (peek() == "not" || lexicon_.is_colour(peek())) return true;
   for (const PredicatePhrase& words : state_phrases())
@@ -81,6 +82,14 @@ Complement PhraseReader::complement() {
     Complement read = complement();
     read.negated = !read.negated;
     return read;
+  }
+  if (const auto where = lexicon_.where_at(tokens_, at_); where.length > 0) {  // "where we keep the milk"
+    NounPhrase place;
+    place.noun = where.nouns.front();
+    place.by_function = true;
+    place.column = column();
+    at_ += where.length;
+    return {choices_.choose(2) == 0 ? P::On : P::Inside, false, "", {std::move(place)}};
   }
   if (const auto power = on_or_off()) {
     ++at_;

@@ -82,7 +82,14 @@ class Realiser {
   Text everyday_sentence(std::size_t from, std::size_t to, bool is_first) {
     std::vector<std::string> parts;
     for (std::size_t i = from; i < to; ++i) {
-      const Text part = clauses_.command(plan_.message[i].clauses[0]);
+      const Clause& clause = plan_.message[i].clauses[0];
+      if (i > from && one_for_each(plan_.message[i - 1].clauses[0], clause)) {
+        const Text each = naming_.singular(clause.subjects[1].noun);
+        if (!each) return std::nullopt;
+        parts.back() += ", one for each " + *each + " there";
+        continue;
+      }
+      const Text part = clauses_.command(clause);
       if (!part) return std::nullopt;
       parts.push_back(*part);
     }
@@ -91,8 +98,20 @@ class Realiser {
     if (parts.size() < 2 || std::none_of(parts.begin(), parts.end(), is_long))
       return asked(listed(parts, "and"), is_first);
     std::vector<std::string> sentences;
+    for (const std::string& part : parts)  // of two places
+      if (&part != &parts[0] && (part.ends_with(" on it") || part.ends_with(" in it"))) return std::nullopt;
     for (const std::string& part : parts) sentences.push_back(*asked(part, is_first && sentences.empty()));
     return join(sentences, " ");
+  }
+
+  /// "Put both forks on the table, one for each plate there.": as many there as plates.
+  static bool one_for_each(const Clause& put, const Clause& counted) {
+    if (put.kind != Clause::Kind::Simple || counted.kind != Clause::Kind::Compare || !same_place(counted) ||
+        counted.comparison != Comparison::Equal || put.subjects.size() != 1 || put.complements.size() != 1)
+      return false;
+    const Complement &place = put.complements[0], &there = counted.complements[0];
+    return put.subjects[0].noun == counted.subjects[0].noun && place.predicate == there.predicate &&
+           !place.object.empty() && place.object[0].variable == there.object[0].variable;
   }
 
   Text final_sentence(std::size_t from, std::size_t to, bool is_first) {
@@ -168,6 +187,11 @@ class Realiser {
       case Kind::ThenKept: {
         const Text first = clauses_.command(clauses[0]);
         const bool another_place = everyday_ && !said.inverted && first && goes_on_to_another_place(*first, clauses);
+        const bool same_place = everyday_ && !said.inverted && first && goes_to_the_same_place(*first, clauses);
+        if (same_place) {
+          const auto thing = naming_.phrase(clauses[1].subjects[0], {});
+          return thing && thing->text != "it" ? framed("", Text(*first + ", then " + thing->text), "") : std::nullopt;
+        }
         const Text second = another_place ? naming_.complement(clauses[1].complements[0], {})
                             : first       ? clauses_.command(clauses[1])
                                           : std::nullopt;
@@ -189,6 +213,7 @@ class Realiser {
       }
       case Kind::OnlyThen: {
         const Text first = clauses_.command(clauses[0]);
+        if (everyday_ && first && first->find(" the same ") != first->npos) return std::nullopt;
         const auto late = first ? naming_.phrase(clauses[1].subjects[0], {}) : std::nullopt;
         return late ? framed("", Text(*first + (everyday_ ? " first, and then " : ", and only then ") + late->text), "")
                     : std::nullopt;
@@ -212,10 +237,14 @@ class Realiser {
   /// "Open the fridge, take all the eggs out of it and close it again."
   Text reopened(const std::vector<Clause>& clauses) {
     std::vector<std::string> parts;
+    const bool takes_out = clauses.size() == 3 && clauses[1].put_down && !clauses[0].subjects.empty() &&
+                           naming_.is_alone(clauses[0].subjects[0].noun) &&
+                           clauses[1].complements[0].predicate == Predicate::Inside;
     for (const Clause& clause : clauses) {
+      if (takes_out && &clause == &clauses.front()) continue;  // who closes it again has opened it
       const Text part = clauses_.command(clause);
       if (!part) return std::nullopt;
-      parts.push_back(*part);
+      parts.push_back(takes_out ? replace_all(*part, " and put ", ", put ") : *part);
     }
     const std::string last = parts.back();
     parts.pop_back();
@@ -233,9 +262,28 @@ class Realiser {
            (first.starts_with("put ") || first.starts_with("place ")) && first.find(" it ") == first.npos;
   }
 
+  /// "Put the egg in the fridge, then the potato."
+  bool goes_to_the_same_place(const std::string& first, const std::vector<Clause>& clauses) const {
+    const auto puts = [](const Clause& clause) {
+      return clause.kind == Clause::Kind::Simple && clause.subjects.size() == 1 && clause.complements.size() == 1 &&
+             clause.complements[0].object.size() == 1 && !clause.complements[0].negated &&
+             clause.subjects[0].determiner == Determiner::New;
+    };
+    const NounPhrase& next = clauses[1].subjects[0];
+    if (!next.modifiers.empty() && !naming_.was_named(next.variable)) return false;
+    const Complement &place = clauses[0].complements[0], &again = clauses[1].complements[0];
+    return puts(clauses[0]) && puts(clauses[1]) && place.predicate == again.predicate &&
+           !place.object[0].variable.empty() && place.object[0].variable == again.object[0].variable &&
+           clauses[0].subjects[0].variable != clauses[1].subjects[0].variable &&
+           (first.starts_with("put ") || first.starts_with("place ") || first.starts_with("move ") ||
+            first.find(" and put it in ") != first.npos);
+  }
+
   /// "First wash a pan, then heat it."
   Text in_order(const std::string& first, const std::string& second, bool inverted) {
+    if (inverted && (first.find(" a ") != first.npos || first.find(" one of ") != first.npos)) return std::nullopt;
     if (inverted) return framed("before you ", Text(first + ", " + second), "");
+    if (first.find(" and put ") != first.npos) return sentence(first, '.') + " " + sentence("then " + second, '.');
     if (rng_.chance(0.2)) return framed("first ", Text(first + ", then " + second), "");
     return framed("", Text(first + (rng_.chance(0.6) ? ", then " : " and then ") + second), "");
   }
@@ -275,9 +323,14 @@ class Realiser {
     const Text put = clauses_.command(sooner);
     // Of the verbs that move things, these are their own participles.
     if (!put || !(put->starts_with("put ") || put->starts_with("set "))) return std::nullopt;
+    if (everyday_) naming_.set_topic(""), naming_.mention_again("");  // "turn it on" could be either
     const Text then = clauses_.command(later);
-    return then ? framed(pick({"once you've ", "once you've ", "as soon as you've "}), Text(*put + ", " + *then), "")
-                : std::nullopt;
+    if (!then) return std::nullopt;
+    if (everyday_) {
+      const bool inside = sooner.complements[0].predicate == Predicate::Inside;
+      return sentence(*put, '.') + " " + sentence((inside ? "once it's in, " : "once it's there, ") + *then, '.');
+    }
+    return framed(pick({"once you've ", "once you've ", "as soon as you've "}), Text(*put + ", " + *then), "");
   }
 
   /// "a hot potato"
@@ -287,7 +340,8 @@ class Realiser {
     wanted.modifiers = {clause.complements[0]};
     const auto thing = naming_.phrase(wanted, {.wanted = true});
     naming_.set_topic(wanted.variable);
-    return thing ? Text(thing->text) : std::nullopt;
+    if (!thing) return std::nullopt;
+    return everyday_ ? replace_all(thing->text, " hot ", " warm ") : thing->text;
   }
 
   static Text framed(const std::string& before, const Text& body, const std::string& after) {
@@ -319,7 +373,8 @@ std::optional<std::string> fact_sentence(const NounPhrase& thing, Naming& naming
   if (places.size() != 1) return std::nullopt;
   const auto named = naming.phrase(body, {.wanted = true});
   if (!named || named->plural) return std::nullopt;
-  const Text where = naming.complement(places[0], {.inside_description = true, .unique = true});
+  const bool unique = places[0].object[0].there < 2;
+  const Text where = naming.complement(places[0], {.inside_description = true, .unique = unique});
   naming.mention_again(places[0].predicate == Predicate::NextTo ? "" : thing.variable);
   naming.set_topic(thing.variable);
   const std::string there = rng.chance(0.5) ? "there is " : "there's ";

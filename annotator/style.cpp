@@ -196,7 +196,7 @@ std::string phrase_fault(const std::vector<Token>& words, Style style, const Nou
     if (sentence != nullptr && sentence->use == use) return "";
   }
   for (const auto& [key, phrase] : lexicon.phrases())
-    if (phrase.use == use && says(words, key)) return "";
+    if (phrase.use == use && (says(words, key) || (!where_of(key).empty() && says(words, where_of(key))))) return "";
   return "the style " + std::string(name_of(style)) + " has a phrase in place of a name, and the text has none";
 }
 

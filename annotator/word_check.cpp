@@ -44,7 +44,9 @@ bool is_helper(const Tokens& words, std::size_t i) {
 ClassifiedWords sorted(const Tokens& words, const NounTable& nouns) {
   ClassifiedWords found;
   for (std::size_t i = 0; i < words.size();) {
-    const auto function = nouns.function_at(words, i), again = nouns.function_again_at(words, i);
+    const auto where = nouns.where_at(words, i);
+    const auto function = where.length > 0 ? where : nouns.function_at(words, i),
+               again = nouns.function_again_at(words, i);
     const auto noun = nouns.noun_at(words, i);
     // "A light switch" is no light.
     const bool article = words[i].text == "a" || words[i].text == "an" || words[i].text == "the";
@@ -198,7 +200,7 @@ class Check {
   void states() {
     for (const P predicate : goal_.predicates) {
       const auto list = words_for(predicate);
-      if (!list.empty() && !any_word(words_, list) && !is_said_by_if_not(predicate))
+      if (!list.empty() && !any_word(words_, list) && !is_said_by_if_not(predicate) && !is_said_by_a_name(predicate))
         lacks("'" + std::string(info(predicate).name) + "'");
     }
     if (specification_.style == Style::Condition) return;  // says states of the start, too
@@ -210,6 +212,15 @@ class Check {
       });
       if (word != text_.plain.end()) exceeds("'" + word->text + "'");
     }
+  }
+
+  /// "where we keep the milk", "the kitchen faucet"
+  bool is_said_by_a_name(P predicate) const {
+    const bool place = predicate == P::On || predicate == P::Inside;
+    if (!place && predicate != P::InRoom) return false;
+    for (std::size_t i = 0; i < words_.size(); ++i)
+      if ((place ? nouns_.where_at(words_, i) : nouns_.room_at(words_, i)).length > 0) return true;
+    return false;
   }
 
   /// "If the box is open, … If not, …": the opposite of a state of the goal that is said.
@@ -259,15 +270,15 @@ class Check {
                   "no. not. none. nothing. never. without. remove take. clear off. out. away. "
                   "empty. nowhere neither any. avoid don't. isn't. aren't. nor. others. only. except. but."))
       lacks("that none is ('no', 'not', 'remove')");
-    if (goal_.exactly && !any_word(words_, "exactly precisely just. only. as. equal same. more.") &&
-        !says_number_alone())
+    if (goal_.exactly && !any_word(words_, "exactly precisely just. only. as. equal same. more. evenly.") &&
+        !says(words_, "one for each") && !says_number_alone())
       lacks("that the number is exact ('exactly')");
     if (goal_.at_least && !says(words_, "same number of") &&
-        !any_word(words_, "least. fewer. minimum. more. couple. pair. few. as. or. two. three."))
+        !any_word(words_, "least. fewer. minimum. more. couple. pair. few. as. or. two. three. evenly."))
       lacks("'at least'");
     if (goal_.at_most && !any_word(words_, "most. more. maximum. up. than. beyond. exceed")) lacks("'at most'");
     if (!goal_.every && !goal_.none && any_word(text_.plain, "every. each. everything.") && !at_all_times() &&
-        !says(words_, "one on each"))
+        !says(words_, "one on each") && !says(words_, "one for each"))
       exceeds("'every'");
     if (!goal_.exactly && any_word(text_.plain, "exactly. precisely.")) exceeds("'exactly'");
   }
@@ -341,6 +352,9 @@ class Check {
     for (const Token& word : text_.plain) {
       const bool letters = std::isalpha(static_cast<unsigned char>(word.text.front())) != 0;
       if (word.text == "into" && says(words_, "into slices")) continue;
+      if (word.text == "cut" && says(words_, "cut a") &&
+          to_text(specification_.goal).find("/slice") != std::string::npos)
+        continue;  // "cut a slice of cake and chill it"
       if (letters && !is_plain_word(word.text) && !says_itself(word.text) && told.insert(word.text).second)
         exceeds("nothing explains '" + word.text + "'");
     }

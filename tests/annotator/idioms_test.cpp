@@ -43,7 +43,7 @@ constexpr Said kSaid[] = {
     {"Put the same number of mugs on the table and on the coffee table, with at least one on each.",
      "(exists (?t - Table) (exists (?c - CoffeeTable) (at-end (and (exists (?b - Mug) (on ?b ?c))"
      " (count = (number (?a - Mug) (on ?a ?t)) (number (?e - Mug) (on ?e ?c)))))))",
-     "same number of mugs"},
+     "plit the mugs evenly between"},
     {"Put more mugs than bowls in the fridge.",
      "(exists (?f - Fridge) (at-end (count > (number (?a - Mug) (inside ?a ?f)) (number (?b - Bowl) (inside ?b ?f)))))",
      "ut more mugs than bowls in"},
@@ -84,14 +84,55 @@ constexpr Said kSaid[] = {
     {"Put two mugs on the table and make sure that there are as many mugs as bowls on the table.",
      "(exists (?t - Table) (at-end (and (count = 2 (?m - Mug) (on ?m ?t))"
      " (count = (number (?a - Mug) (on ?a ?t)) (number (?b - Bowl) (on ?b ?t))))))",
-     "there are as many mugs as bowls on the table"},
+     ", one for each bowl there"},
+    {"Put two mugs on the table, one for each bowl there.",
+     "(exists (?t - Table) (at-end (and (count = 2 (?m - Mug) (on ?m ?t))"
+     " (count = (number (?a - Mug) (on ?a ?t)) (number (?b - Bowl) (on ?b ?t))))))",
+     nullptr},
+    {"Split the mugs evenly between the table and the coffee table.",
+     "(exists (?t - Table) (exists (?c - CoffeeTable) (at-end (and (exists (?b - Mug) (on ?b ?c))"
+     " (count = (number (?a - Mug) (on ?a ?t)) (number (?e - Mug) (on ?e ?c)))))))",
+     nullptr},
+    {"Put each of the mugs in a fridge or on a table.",
+     "(forall (?m - Mug) (at-end (or (exists (?f - Fridge) (inside ?m ?f)) (exists (?t - Table) (on ?m ?t)))))",
+     nullptr},
+    {"Put the mug in the fridge, then the apple.",
+     "(exists (?f - Fridge) (exists (?m - Mug) (exists (?a - Apple) (and (before (inside ?m ?f) (inside ?a ?f))"
+     " (at-end (and (inside ?m ?f) (inside ?a ?f)))))))",
+     ", then "},
+    {"Put the mug in the fridge. Once it's in, close the fridge.",
+     "(exists (?f - Fridge) (exists (?m - Mug) (and (before (inside ?m ?f) (closed ?f))"
+     " (at-end (and (inside ?m ?f) (closed ?f))))))",
+     nullptr},
+    {"Cut a slice of apple and chill it.", "(exists (?s - Apple/slice) (at-end (cool ?s)))",
+     "ut a slice of apple and chill it"},
+    {"Heat the bread, chill the apple and put both on the table.",
+     "(exists (?a - Bread) (exists (?b - Apple) (exists (?t - Table) (at-end (and (hot ?a) (cool ?b) (on ?a ?t) (on ?b "
+     "?t))))))",
+     " and put both on "},
+    {"Put two mugs on the table and leave no more than one on the coffee table.",
+     "(exists (?t - Table) (exists (?c - CoffeeTable) (at-end (and (count = 2 (?m - Mug) (on ?m ?t))"
+     " (count <= 1 (?o - Mug) (on ?o ?c))))))",
+     "leave no more than one on "},
+    {"Put a mug on the table and don't leave any on the coffee table.",
+     "(exists (?t - Table) (exists (?c - CoffeeTable) (exists (?m - Mug) (at-end (and (on ?m ?t)"
+     " (forall (?o - Mug) (not (on ?o ?c))))))))",
+     nullptr},
+    {"Take all the mugs out of the fridge, put them somewhere else, and close the fridge again.",
+     "(exists (?f - Fridge) (and (sometime (open ?f)) (at-end (and (closed ?f) (count = 0 (?a - Mug) (inside ?a ?f))"
+     " (count = 0 (?b - Mug) (held ?b))))))",
+     nullptr},
+    {"Swap the mug on the table and the apple on the coffee table.",
+     "(exists (?c - CoffeeTable) (exists (?m - (Mug :where (exists (?t - Table) (on ?m ?t)))) (exists (?a - (Apple "
+     ":where (on ?a ?c))) (exists (?u - Table) (at-end (and (on ?m ?c) (on ?a ?u)))))))",
+     nullptr},
     {"Turn on the lamp, put a mug on the table, and turn the lamp off again.",
      "(exists (?l - Lamp) (exists (?m - Mug) (exists (?t - Table) (and (sometime (power_on ?l))"
      " (at-end (and (power_off ?l) (on ?m ?t)))))))",
      " off again"},
     {"Put all the mugs either in the fridges or on the tables.",
      "(forall (?m - Mug) (at-end (or (exists (?f - Fridge) (inside ?m ?f)) (exists (?t - Table) (on ?m ?t)))))",
-     "either in the fridges or on the tables"},
+     "ut each of the mugs in a fridge or on a table"},
 };
 
 TEST(Idioms, AreReadAsExactlyTheirGoals) {
@@ -147,7 +188,18 @@ TEST(Idioms, WithOneWordChangedMeanSomethingElse) {
       {"Slice the apple, then cook a slice of apple.", 9},
       {"If the fridge is closed, put a mug in it. If not, put it on a table.", 11},
       {"Put two mugs on the table and make sure that there are as many mugs as apples on the table.", 16},
-      {"Turn off the lamp, put a mug on the table, and turn the lamp on again.", 17}};
+      {"Put two mugs on the table, one for each apple there.", 17},
+      {"Split the bowls evenly between the table and the coffee table.", 18},
+      {"Put each of the bowls in a fridge or on a table.", 19},
+      {"Put the apple in the fridge, then the mug.", 20},
+      {"Put the mug in the fridge. Once it's in, open the fridge.", 21},
+      {"Cut a slice of apple and heat it up.", 22},
+      {"Heat the bread, chill the apple and put both on the coffee table.", 23},
+      {"Put two mugs on the table and leave no more than two on the coffee table.", 24},
+      {"Put a mug on the coffee table and don't leave any on the table.", 25},
+      {"Take all the mugs out of the fridge, put them somewhere else, and close the fridge.", 26},
+      {"Swap the mug on the coffee table and the apple on the table.", 27},
+      {"Turn off the lamp, put a mug on the table, and turn the lamp on again.", 28}};
   for (const auto& [text, of] : kChanged)
     EXPECT_FALSE(check_instruction(text, asking(kSaid[of].goal, "direct"), knowledge).empty()) << text;
 }
