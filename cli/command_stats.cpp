@@ -37,6 +37,21 @@ Exit word_stats(const StatsOptions& options, const CommandLine& program) {
   return Exit::Ok;
 }
 
+std::string usual_text(const std::vector<std::pair<std::string, std::vector<UsualCoverage>>>& sets) {
+  std::string text;
+  for (const auto& [name, all] : sets) {
+    text += name + "\n";
+    for (const UsualCoverage& one : all) {
+      const auto named = one.usual - one.missing.size();
+      const double share = one.usual == 0 ? 0 : static_cast<double>(named) / static_cast<double>(one.usual);
+      text += "  " + one.simulator + ": " + std::to_string(named) + " of " + std::to_string(one.usual) +
+              " categories with usual goals are in a goal (" + percent_text(share) + ")\n";
+      if (!one.missing.empty()) text += "    not: " + join(one.missing, " ") + "\n";
+    }
+  }
+  return text;
+}
+
 /// Of the categories that some usual goal could be about, how many the goals of each set name, and which they do not.
 Exit usual_stats(const StatsOptions& options, const CommandLine& program) {
   const auto reading = load_resources(program.folders);
@@ -47,24 +62,21 @@ Exit usual_stats(const StatsOptions& options, const CommandLine& program) {
   std::map<std::string, std::vector<std::string>> usual;
   for (const auto simulator : kSimulators)
     usual[std::string(name_of(simulator))] = categories_with_usual_goals(resources, simulator);
+  std::vector<std::pair<std::string, std::vector<UsualCoverage>>> sets;
   for (const auto& folder : options.folders) {
     const auto set = read_finished_set(folder);
     if (!set) return refuse(set.error());
     const auto statistics = statistics_of_set(*set, knowledge, options.threads);
     if (!statistics) return refuse(statistics.error());
-    std::printf("%s\n", statistics->name.c_str());
+    auto& of_set = sets.emplace_back(statistics->name, std::vector<UsualCoverage>{}).second;
     for (const GoalThings& things : statistics->things) {
       const auto& all = usual[things.simulator];
-      std::vector<std::string> missing;
-      std::copy_if(all.begin(), all.end(), std::back_inserter(missing),
+      of_set.push_back({things.simulator, all.size(), {}});
+      std::copy_if(all.begin(), all.end(), std::back_inserter(of_set.back().missing),
                    [&](const std::string& name) { return !things.named.contains(name); });
-      const auto named = all.size() - missing.size();
-      const double share = all.empty() ? 0 : static_cast<double>(named) / static_cast<double>(all.size());
-      std::printf("  %s: %zu of %zu categories with usual goals are in a goal (%s)\n", things.simulator.c_str(), named,
-                  all.size(), percent_text(share).c_str());
-      if (!missing.empty()) std::printf("    not: %s\n", join(missing, " ").c_str());
     }
   }
+  std::fputs((options.json ? usual_coverage_json(sets) : usual_text(sets)).c_str(), stdout);
   return Exit::Ok;
 }
 
@@ -102,7 +114,8 @@ void add_stats_command(CommandParser& app, CommandLine& program) {
        {"unietp stats out/mine --rows 200", "longer tables"},
        {"unietp stats out/mine --words", "how its instructions ask, beside how people do"},
        {"unietp stats out/training --usual", "which categories could be in a goal that makes sense, but are in none"},
-       {"unietp stats out/mine --json > statistics.json", ""}});
+       {"unietp stats out/mine --json > statistics.json", ""},
+       {"unietp stats out/training --usual --json > usual.json", "with --usual, those figures as JSON"}});
   command->add_option("FOLDER", options->folders, "Finished data sets")->required()->folder();
   command->add_option("--rows", options->rows, "Rows of the longest table")->within(1, 1000000)->shows_default();
   add_threads_option(*command, options->threads, program);

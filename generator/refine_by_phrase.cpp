@@ -78,14 +78,16 @@ bool is_put_away(const GoalVariable& variable, const Specification& plain, const
   });
 }
 
-/// "Turn an electronic device off", "empty a piece of cookware": nobody leaves open which thing of many kinds is
-/// opened, closed, switched or emptied.
-bool is_opened_switched_or_emptied(const GoalVariable& variable, const Specification& plain) {
+/// Whether people leave open which thing of many kinds is meant: what they want brought, set somewhere for use, or
+/// filled. "Turn an electronic device off", "chill a piece of fruit", "put a piece of clothing into the dresser": what is
+/// switched, cooked, washed or put away is a certain one.
+bool may_be_any_kind(const GoalVariable& variable, const Specification& plain, const Knowledge& knowledge) {
   const auto asked = predicates_of(plain.goal, variable.variable);
-  return std::any_of(asked.begin(), asked.end(), [](Predicate predicate) {
-    return predicate == Predicate::Open || predicate == Predicate::Closed || predicate == Predicate::PowerOn ||
-           predicate == Predicate::PowerOff || predicate == Predicate::Empty;
-  });
+  return !is_put_away(variable, plain, knowledge) &&
+         std::all_of(asked.begin(), asked.end(), [](Predicate predicate) {
+           return predicate == Predicate::Held || predicate == Predicate::On || predicate == Predicate::InRoom ||
+                  predicate == Predicate::Inside || predicate == Predicate::Filled;
+         });
 }
 
 }  // namespace
@@ -111,7 +113,7 @@ std::optional<Specification> refine_by_phrase(const Specification& plain, const 
   for (const auto& variable : singular_variables(plain.goal)) {
     if (style == Style::Context && is_put_away(variable, plain, knowledge)) continue;
     const bool any_kind = style == Style::Hypernym || style == Style::Function;
-    if (any_kind && is_opened_switched_or_emptied(variable, plain)) continue;
+    if (any_kind && !may_be_any_kind(variable, plain, knowledge)) continue;
     const auto* category = knowledge.find(variable.category);
     if (category != nullptr && (category->movable || style != Style::Function)) choices.push_back(variable.category);
   }

@@ -13,6 +13,7 @@
 #include "grounding/numbers.h"
 #include "grounding/polish.h"
 #include "grounding/reachability.h"
+#include "grounding/ready.h"
 #include "grounding/scene_editor.h"
 #include "logic/evaluate.h"
 #include "scene/comparisons.h"
@@ -133,11 +134,13 @@ std::variant<Grounded, Rejection> ground(const Specification& specification, con
     if (!within_rounds(enforcer, editor, constraints, parts, options.rounds)) {
       return rejected(specification, home.scene, editor.failure());
     }
-    polish(editor, goal_places(specification.goal), [&] {
+    const auto is_sound = [&] {
       return std::all_of(constraints.begin(), constraints.end(),
                          [&](const Formula& constraint) { return enforcer.holds(constraint); }) &&
              std::none_of(parts.begin(), parts.end(), [&](const Formula& part) { return holds(part, enforcer.now()); });
-    });
+    };
+    polish(editor, goal_places(specification.goal), is_sound);
+    make_ready(editor, specification, is_sound);
     keep_standing(workspace, home);
     editor.refresh();
     episode.changes = workspace.changes();

@@ -21,8 +21,8 @@ bool is_never_found(const CommonSense& sense, const Thing& thing, const Role& pl
 
 }  // namespace
 
-Household::Household(const Knowledge& knowledge, const CommonSense& sense, StartStates states)
-    : kinds_(sense.kinds()), states_(std::move(states)) {
+Household::Household(const Knowledge& knowledge, const CommonSense& sense, StartStates states, UseStates uses)
+    : kinds_(sense.kinds()), states_(std::move(states)), uses_(std::move(uses)) {
   auto apart = sense.kept_apart();
   std::erase_if(
       apart, [this](const auto& pair) { return kinds_.is_a(pair.first, "food") && kinds_.is_a(pair.second, "food"); });
@@ -39,6 +39,7 @@ Household::Household(const Knowledge& knowledge, const CommonSense& sense, Start
       }
       if (sense.used_for(fact->kind, PlaceUse::PutAway)) put_away_.insert(category.name);
       if (sense.used_for(fact->kind, PlaceUse::DirtyOrNot)) washing_.insert(category.name);
+      if (sense.used_for(fact->kind, PlaceUse::Passing)) passing_.insert(category.name);
     }
     if (!category.movable) continue;
     if (const auto kind = kind_of(category.name); !kind.empty() && !rooms_.contains(kind)) {
@@ -116,6 +117,10 @@ bool Household::clash(std::string_view a, std::string_view b) const {
   return share(one->second.first, other->second.second) || share(one->second.second, other->second.first);
 }
 
+std::vector<Predicate> Household::states_in_use(std::string_view category, const Role& use) const {
+  return uses_.of(kind_of(category), use, kinds_);
+}
+
 Role Household::role_at(Predicate relation, std::string_view receptacle) const {
   const auto kind = kind_of(receptacle);
   return kind.empty() ? Role() : role_of(relation, std::string(kind), kinds_);
@@ -135,8 +140,9 @@ Result<Household> read_household(const std::filesystem::path& sense, const Knowl
   std::vector<Error> errors;
   const auto common = read_common_sense(sense, errors);
   auto states = read_start_states(sense / "start_states.csv", common.kinds(), errors);
+  auto uses = read_use_states(sense / "use_states.csv", common.kinds(), errors);
   if (!errors.empty()) return errors.front();
-  return Household(knowledge, common, std::move(states));
+  return Household(knowledge, common, std::move(states), std::move(uses));
 }
 
 }  // namespace unietp

@@ -12,6 +12,7 @@
 #include "core/result.h"
 #include "scene/scene.h"
 #include "sense/start_states.h"
+#include "sense/use_states.h"
 #include "sense/usual_places.h"
 
 namespace unietp {
@@ -28,7 +29,7 @@ class Household {
     bool usual = true;                   // false: tolerable
   };
 
-  Household(const Knowledge& knowledge, const CommonSense& sense, StartStates states);
+  Household(const Knowledge& knowledge, const CommonSense& sense, StartStates states, UseStates uses = {});
 
   /// Of a movable category, by receptacle, then relation; empty when nothing is known.
   const std::vector<Place>& places_of(std::string_view category) const;
@@ -46,6 +47,8 @@ class Household {
   /// washed or thrown away (PlaceUse::DirtyOrNot).
   bool puts_away(std::string_view receptacle) const { return put_away_.contains(receptacle); }
   bool washes(std::string_view receptacle) const { return washing_.contains(receptacle); }
+  /// Whether tasks put things on or into such a receptacle though nobody keeps them there (PlaceUse::Passing).
+  bool passes(std::string_view receptacle) const { return passing_.contains(receptacle); }
   /// How usual it is that things of a movable category are on the floor, from 0 to 1: 0 unless CommonSense calls it
   /// usual, but toys are left there at times.
   double on_floor(std::string_view category) const;
@@ -58,12 +61,17 @@ class Household {
   /// All states that are spoken of there.
   std::vector<LikelyState> states_of(std::string_view category, Predicate relation, std::string_view receptacle) const;
 
- private:
+  /// The states in which people find things of the category that they use so (UseStates::of).
+  std::vector<Predicate> states_in_use(std::string_view category, const Role& use) const;
+  /// Being on or in such a receptacle as a role; "" when it has no kind.
   Role role_at(Predicate relation, std::string_view receptacle) const;
+  /// Of a category; "" when it has none.
   std::string_view kind_of(std::string_view category) const;
 
+ private:
   Kinds kinds_;
   StartStates states_;
+  UseStates uses_;
   /// The rules of safety that keep a category apart from another: as the first that they name, or as the second.
   struct Rules {
     std::vector<std::size_t> first, second;
@@ -72,6 +80,7 @@ class Household {
   std::map<std::string, std::string, std::less<>> kind_;  // by category
   std::set<std::string, std::less<>> put_away_;           // receptacles of PlaceUse::PutAway
   std::set<std::string, std::less<>> washing_;            // receptacles of PlaceUse::DirtyOrNot
+  std::set<std::string, std::less<>> passing_;            // receptacles of PlaceUse::Passing
   std::map<std::string, std::vector<Place>, std::less<>> places_;
   std::map<std::string, std::map<std::string, double, std::less<>>, std::less<>> rooms_;  // by kind, then type of room
   std::map<std::string, double, std::less<>> on_floor_;                                   // by kind

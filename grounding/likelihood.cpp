@@ -9,7 +9,6 @@ namespace unietp {
 namespace {
 
 constexpr double kLeastPlace = 1e-6, kLeastState = 1e-3;
-constexpr double kHardlyAny = 0.01;  // share of things at a place that are in a state
 
 /// What a thing of a workspace is on or in, and the room around it, as last read.
 struct Location {
@@ -32,16 +31,17 @@ Location location_of(const Workspace& workspace, const Node& node) {
   return found;
 }
 
-/// A state that hardly any such thing is in on or in a receptacle, or that nearly all are in and that it was taken out
-/// of: "dirty", "not cool". `before`: the thing as the home has it, or nullptr.
-std::string rare_state(const Household& household, const Node& node, const Node* before, Predicate relation,
+/// A state that hardly any such thing is in on or in a receptacle, or that nearly all are in and that it is not in or
+/// was taken out of: "dirty", "not cool". `before`: the thing as the home has it, or nullptr.
+std::string rare_state(const Workspace& workspace, const Node& node, const Node* before, Predicate relation,
                        const std::string& receptacle) {
-  for (const LikelyState& likely : household.states_of(node.category, relation, receptacle)) {
+  for (const LikelyState& likely : workspace.household()->states_of(node.category, relation, receptacle)) {
     const std::string name(info(likely.state.predicate).name);
     const bool has = node.states.has(likely.state);
     if (has && likely.share < kHardlyAny) return name;
-    const bool lost = !has && before != nullptr && before->states.has(likely.state);
-    if (lost && likely.share > 1 - kHardlyAny) return "not " + name;
+    const bool lacks = !has && (before == nullptr ? can_be(node, workspace.knowledge(), likely.state)
+                                                  : before->states.has(likely.state));
+    if (lacks && likely.share > 1 - kHardlyAny) return "not " + name;
   }
   return "";
 }
@@ -99,7 +99,7 @@ bool is_rare_at(const Workspace& workspace, const Node& node, const Node& recept
   if (household == nullptr) return false;
   const auto rare = [&](Predicate relation) {
     return household->place(node.category, relation, receptacle.category) != nullptr &&
-           !rare_state(*household, node, nullptr, relation, receptacle.category).empty();
+           !rare_state(workspace, node, nullptr, relation, receptacle.category).empty();
   };
   return rare(Predicate::On) || rare(Predicate::Inside);
 }
@@ -127,7 +127,7 @@ Oddness oddness_of(const Workspace& workspace, const Node& node, std::string* re
     const bool kept = where.room == nullptr || household->keeps(node.category, there.category, where.room->type);
     if (place == nullptr || !kept) return odd(at + ", where nobody keeps such things");
     if (some_usual && !place->usual) worst = Oddness::Unusual;
-    const auto state = rare_state(*household, node, before, relation, there.category);
+    const auto state = rare_state(workspace, node, before, relation, there.category);
     if (!state.empty()) return odd(state + " " + at + ", as hardly anything is there");
     if (const Node* other = clashing(workspace, node, host)) return odd(at + " together with " + other->id);
   }

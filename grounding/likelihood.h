@@ -20,8 +20,11 @@ double likelihood_of_states(const Workspace& workspace, const Node& node, const 
 /// The share of such things where it is, as last read, that are in a state; at least 0.001, and 1 without a household.
 double share_in_state(const Workspace& workspace, const Node& node, const State& state);
 
-/// Whether hardly anything is on or in such a receptacle in a state that the thing has: no dirty plate is kept in a
-/// cabinet. False without a household.
+/// A smaller share of things at a place hardly ever is in a state.
+inline constexpr double kHardlyAny = 0.01;
+
+/// Whether hardly anything is on or in such a receptacle as the thing is: no dirty plate is kept in a cabinet,
+/// nothing that is not cold in a fridge. False without a household.
 bool is_rare_at(const Workspace& workspace, const Node& node, const Node& receptacle);
 
 /// How odd it is to find something.

@@ -82,6 +82,16 @@ struct DatasetStatistics {
 Result<DatasetStatistics> statistics_of_set(const FinishedSet& set, const std::vector<const Knowledge*>& knowledge,
                                             int threads);
 
+/// Of the categories of a simulator that some usual goal could be about, those that the goals of a data set do not
+/// name.
+struct UsualCoverage {
+  std::string simulator;
+  std::size_t usual = 0;             // how many categories there are
+  std::vector<std::string> missing;  // sorted
+};
+/// By name of the data set. `unietp-usual-coverage/1`: data/schemas/usual-coverage.schema.json.
+std::string usual_coverage_json(const std::vector<std::pair<std::string, std::vector<UsualCoverage>>>& sets);
+
 /// `unietp-statistics/1`: data/schemas/statistics.schema.json.
 std::string statistics_json(const std::vector<DatasetStatistics>& sets);
 

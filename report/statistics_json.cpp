@@ -80,6 +80,22 @@ Json to_json(const DatasetStatistics& set) {
 
 }  // namespace
 
+std::string usual_coverage_json(const std::vector<std::pair<std::string, std::vector<UsualCoverage>>>& sets) {
+  Json list = Json::array();
+  for (const auto& [name, all] : sets) {
+    Json simulators = Json::array();
+    for (const UsualCoverage& one : all) {
+      simulators.push_back({{"simulator", one.simulator},
+                            {"with_usual_goals", one.usual},
+                            {"in_goals", one.usual - one.missing.size()},
+                            {"in_no_goal", one.missing}});
+    }
+    list.push_back({{"name", name}, {"simulators", std::move(simulators)}});
+  }
+  const Json json{{"format", "unietp-usual-coverage/1"}, {"sets", std::move(list)}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
 std::string statistics_json(const std::vector<DatasetStatistics>& sets) {
   Json list = Json::array();
   for (const auto& set : sets) list.push_back(to_json(set));

@@ -8,6 +8,7 @@
 #include "grounding/goal_places.h"
 #include "grounding/household.h"
 #include "run/sense_of_binding.h"
+#include "sense/wants.h"
 
 namespace unietp {
 namespace {
@@ -33,6 +34,29 @@ bool rooms_suit(const Formula& goal, const Layout& layout, const Household& hous
 }
 
 }  // namespace
+
+bool all_sinks_suit(const Formula& goal, const Layout& layout, const Household& household) {
+  const Home& home = layout.home;
+  const Wants wants = wants_of(goal);
+  const auto suits = [&](const std::string& category, const std::string& place) {
+    const auto& there = home.places.of(place);
+    return std::all_of(there.begin(), there.end(), [&](std::size_t node) {
+      const auto room = home.rooms[node];
+      return room < 0 || household.keeps(category, place, home.scene.rooms[static_cast<std::size_t>(room)].type);
+    });
+  };
+  return std::none_of(wants.wants.begin(), wants.wants.end(), [&](const Want& want) {
+    if (want.predicate != Predicate::Inside || want.negated || !want.other) return false;
+    const Domain& places = wants.things[*want.other];
+    if (!places.where.empty()) return false;  // it says which
+    return std::any_of(places.members.begin(), places.members.end(), [&](const Domain::Member& place) {
+      const auto& things = wants.things[want.thing].members;
+      return household.passes(place.category) &&
+             !std::all_of(things.begin(), things.end(),
+                          [&](const Domain::Member& thing) { return suits(thing.category, place.category); });
+    });
+  });
+}
 
 BindingCheck fits_home(const RunConfiguration& configuration, const Resources& resources, const Template& source,
                        const Layout& layout, Grade least) {

@@ -2,6 +2,7 @@
 
 #include "dataset/configuration.h"
 #include "generator/weighted_binding.h"
+#include "grounding/household.h"
 #include "resources/resources.h"
 #include "run/layout_pool.h"
 
@@ -14,5 +15,10 @@ namespace unietp {
 /// given must outlive it.
 BindingCheck fits_home(const RunConfiguration& configuration, const Resources& resources, const Template& source,
                        const Layout& layout, Grade least);
+
+/// Whether each place that things only pass through (Household::passes), and that the goal names without saying which,
+/// is in a room where people keep what goes into it: a goal that any sink meets asks for no plates in the bathroom's.
+/// What the home lacks is not looked at.
+bool all_sinks_suit(const Formula& goal, const Layout& layout, const Household& household);
 
 }  // namespace unietp

@@ -29,9 +29,11 @@ std::string task_id(const TaskSlot& slot) {
 using SenseOf = std::function<TaskSense(const Specification&)>;
 
 /// Of what kind a task is to be.
-struct SplitAsked {
+struct Asked {
   Split split = Split::Atomic;
   std::string_view style;  // of the Linguistic split; "": any that fits
+  Grade least = Grade::Usual;
+  const Household* household = nullptr;  // of the simulator's homes
 };
 
 /// "A=Mug, B=Bed: mug on bed (rule:…)"
@@ -58,8 +60,7 @@ std::optional<Rejection> lacking(const Specification& specification, const Layou
 /// The specification in the slot's split, or why there is none.
 std::variant<Specification, Rejection> specify_once(const Template& source, const Layout& layout,
                                                     const Knowledge& knowledge, const std::optional<Binding>& binding,
-                                                    const SplitAsked& asked, Grade least, const SenseOf& sense_of,
-                                                    const Rng& rng) {
+                                                    const Asked& asked, const SenseOf& sense_of, const Rng& rng) {
   const Split split = asked.split;
   if (!binding)
     return Rejection{RejectionReason::NoBinding, "no categories that " + layout.home.scene.id +
@@ -81,9 +82,11 @@ std::variant<Specification, Rejection> specify_once(const Template& source, cons
     if (!specified) return Rejection{RejectionReason::NoWording, to_text(*binding)};
   }
   if (auto why = lacking(*specified, layout, knowledge)) return *why;
-  if (least > Grade::Senseless) {
+  if (asked.least > Grade::Senseless) {
+    if (asked.household != nullptr && !all_sinks_suit(specified->goal, layout, *asked.household))
+      return Rejection{RejectionReason::Senseless, to_text(*binding) + ": a place in another room would do, too"};
     const TaskSense sense = sense_of(*specified);
-    if (sense.grade < least) return Rejection{RejectionReason::Senseless, said_of(*binding, sense)};
+    if (sense.grade < asked.least) return Rejection{RejectionReason::Senseless, said_of(*binding, sense)};
   }
   if (const auto refusal = refused_by(*plain, knowledge)) return refused(*refusal);
   return std::move(*specified);
@@ -93,21 +96,20 @@ std::variant<Specification, Rejection> specify_once(const Template& source, cons
 /// `fixed` categories, are tried before a candidate is rejected.
 std::variant<Specification, Rejection> specify(const Template& source, const Layout& layout, const Knowledge& knowledge,
                                                const std::optional<Binding>& planned, const BindingWishes& wishes,
-                                               const SplitAsked& asked, Grade least, const SenseOf& sense_of,
-                                               const Rng& rng) {
+                                               const Asked& asked, const SenseOf& sense_of, const Rng& rng) {
   constexpr std::uint64_t kBindings = 8;  // of the candidates that 32 bindings save, 8 save 98 %
   constexpr std::uint64_t kLooks = 40;    // which of its things a home has several of is quickly seen
   const auto is_lack = [](RejectionReason why) {
     return why == RejectionReason::LacksFurniture || why == RejectionReason::LacksRoom;
   };
-  auto specified = specify_once(source, layout, knowledge, planned, asked, least, sense_of, rng);
+  auto specified = specify_once(source, layout, knowledge, planned, asked, sense_of, rng);
   for (std::uint64_t i = 1, dear = 1; i < kLooks && dear < kBindings; ++i) {
     const auto* why = std::get_if<Rejection>(&specified);
     if (why == nullptr || !another_binding_helps(why->reason)) break;
     if (!is_lack(why->reason)) ++dear;
     const auto again = rng.fork("again", i);
     const auto binding = sample_binding(source, knowledge, layout.offer.categories, wishes, again.fork("binding", 0));
-    specified = specify_once(source, layout, knowledge, binding, asked, least, sense_of, again);
+    specified = specify_once(source, layout, knowledge, binding, asked, sense_of, again);
   }
   return specified;
 }
@@ -144,9 +146,10 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
   const SenseOf sense_of = [&](const Specification& one) { return sense_of_task(one, resources); };
   const BindingWishes wishes{configuration.binding, weight,
                              fits_home(configuration, resources, source, *layout, plan.least)};
-  const SplitAsked asked{slot.split, plan.style ? name_of(*plan.style) : std::string_view(source.refinement)};
-  auto specified = specify(source, *layout, backend.knowledge, plan.binding, wishes, asked, plan.least, sense_of,
-                           root.fork("generator", item));
+  const Asked asked{slot.split, plan.style ? name_of(*plan.style) : std::string_view(source.refinement), plan.least,
+                    resources.recipe(slot.simulator).household.get()};
+  auto specified =
+      specify(source, *layout, backend.knowledge, plan.binding, wishes, asked, sense_of, root.fork("generator", item));
   if (auto* why = std::get_if<Rejection>(&specified)) return rejected(std::move(*why));
   const auto& specification = std::get<Specification>(specified);
   for (const Mode mode : configuration.modes) {

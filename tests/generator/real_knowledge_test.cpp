@@ -136,6 +136,23 @@ TEST(RealKnowledge, NobodyHasWhatTheyNeedPutAwayOrSwitchedOff) {
   EXPECT_FALSE(can_be_said("place-one-inside", {{"A", "mug"}, {"B", "sink"}}));
 }
 
+/// Which one is meant is left open of what is brought or set somewhere for use, not of what is put away, washed or
+/// heated.
+TEST(RealKnowledge, NobodyLeavesOpenWhichThingIsPutAwayOrChanged) {
+  const auto& knowledge = committed_knowledge(Simulator::Ai2thor);
+  const auto can_be_said = [&](const char* name, const Binding& binding, const char* style) {
+    const auto plain = instantiate(library_template(name), knowledge, binding);
+    EXPECT_TRUE(plain) << format(plain.error());
+    return plain && refine_linguistic(*plain, knowledge, {}, style, Rng(1)).has_value();
+  };
+  for (const char* style : {"function", "hypernym"}) {
+    EXPECT_TRUE(can_be_said("pick-up-one", {{"A", "Cup"}}, style)) << style;
+    EXPECT_TRUE(can_be_said("place-one-on", {{"A", "Cup"}, {"B", "CoffeeTable"}}, style)) << style;
+    EXPECT_FALSE(can_be_said("place-one-inside", {{"A", "Cup"}, {"B", "Cabinet"}}, style)) << style;
+    EXPECT_FALSE(can_be_said("wash-one", {{"A", "Cup"}, {"T", "Sink"}}, style)) << style;
+  }
+}
+
 TEST(RealKnowledge, KindsThatAreListedJoinOnlyThingsOfOneOfThem) {
   const auto& knowledge = committed_knowledge(Simulator::Behavior);
   const DomainConstraint any{ConstraintType::SameKind, {"A", "B"}, {}};

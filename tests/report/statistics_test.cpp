@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "core/files.h"
 #include "dataset/lines.h"
@@ -233,6 +234,18 @@ TEST(Statistics, AreTheSameForAnyNumberOfThreads) {
   const auto one = statistics_of_set(three.set, {}, 1), four = statistics_of_set(three.set, {}, 4);
   ASSERT_TRUE(one && four);
   EXPECT_EQ(statistics_json({*one}), statistics_json({*four}));
+}
+
+TEST(Statistics, OfUsualCategoriesAreWrittenAsJson) {
+  const std::string text = usual_coverage_json({{"mine", {{"ai2thor", 5, {"Mug", "Pen"}}, {"habitat", 0, {}}}}});
+  const auto json = nlohmann::json::parse(text);
+  EXPECT_EQ(json["format"], "unietp-usual-coverage/1");
+  const auto& of_set = json["sets"][0];
+  EXPECT_EQ(of_set["name"], "mine");
+  EXPECT_EQ(of_set["simulators"][0],
+            nlohmann::json::parse(
+                R"({"simulator": "ai2thor", "with_usual_goals": 5, "in_goals": 3, "in_no_goal": ["Mug", "Pen"]})"));
+  EXPECT_EQ(of_set["simulators"][1]["in_goals"], 0);
 }
 
 TEST(Statistics, NameTheLineThatCannotBeRead) {
