@@ -64,7 +64,7 @@ std::vector<StyleTexts> texts_by_style(const Template& source, const Specificati
   styles.push_back(plain.style);
   std::sort(styles.begin(), styles.end());
   styles.erase(std::unique(styles.begin(), styles.end()), styles.end());
-  const SceneOffer offer{categories_in(home), to_logic(home, {}, true)};
+  const SceneOffer offer{categories_in(home), to_logic(home, {}, true), nullptr};
   WritingOptions writing;
   writing.phrasings_of_template = source.instructions;
   writing.home = &home;

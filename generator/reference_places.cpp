@@ -1,22 +1,14 @@
 #include <algorithm>
-#include <array>
 
 #include "generator/reference.h"
 #include "logic/evaluate.h"
+#include "sense/place_uses.h"
 #include "templates/init_shape.h"
 
 namespace unietp {
 namespace {
 
 constexpr std::size_t kMostLandmarks = 4;
-constexpr std::array<std::string_view, 5> kPassing{"microwave", "oven", "toaster", "sink", "dishwasher"};
-
-/// Where things are only while they are heated or washed, so that nothing is told from others by being in there.
-bool is_passed_through(const Category& place) {
-  return std::any_of(place.kinds.begin(), place.kinds.end(), [](const std::string& kind) {
-    return std::find(kPassing.begin(), kPassing.end(), kind) != kPassing.end();
-  });
-}
 
 std::string fresh_variable(const Specification& plain) {
   auto taken = bound_variables(plain.goal);
@@ -60,7 +52,10 @@ class Landmarks {
       for (const auto* row : knowledge_.placements_of(variable_.category, relation)) {
         const auto* other = knowledge_.find(row->receptacle);
         if (other == nullptr || row->likelihood <= 0 || !usable(row->receptacle)) continue;
-        if (relation == Predicate::Inside && is_passed_through(*other)) continue;
+        // Nothing is told from others by being where it is only while it is heated or washed.
+        if (relation == Predicate::Inside && offer_.uses != nullptr &&
+            offer_.uses->has(other->kinds, PlaceUse::Passing))
+          continue;
         // A landmark stays where it is: furniture, or what a thing of the task is set down beside.
         if (movable && other->movable != (relation == Predicate::NextTo)) continue;
         rows.push_back(row);

@@ -1,10 +1,10 @@
 #include <algorithm>
-#include <array>
 
 #include "generator/consistency.h"
 #include "generator/goal_variable.h"
 #include "generator/phrase_kind.h"
 #include "generator/refinement.h"
+#include "sense/place_uses.h"
 
 namespace unietp {
 namespace {
@@ -56,13 +56,10 @@ std::vector<std::vector<std::string>> choices_first(const std::vector<const Alia
   return all;
 }
 
-/// Where things are put away, washed or thrown away. Who says what they are up to wants what they need for it at hand,
-/// not switched off, closed, frozen or beside something else.
-constexpr std::array<std::string_view, 17> kPutAway{
-    "oven",   "stove",   "microwave", "toaster", "coffee_machine", "cabinet",    "drawer", "wardrobe", "dresser",
-    "fridge", "freezer", "sink",      "hamper",  "storage_box",    "dishwasher", "washer", "trash_can"};
-
-bool is_put_away(const GoalVariable& variable, const Specification& plain, const Knowledge& knowledge) {
+/// Whether a thing is put away, washed or thrown away. Who says what they are up to wants what they need for it at
+/// hand, not switched off, closed, frozen or beside something else.
+bool is_put_away(const GoalVariable& variable, const Specification& plain, const Knowledge& knowledge,
+                 const PlaceUses* uses) {
   const auto asked = predicates_of(plain.goal, variable.variable);
   const bool ends_its_use = std::any_of(asked.begin(), asked.end(), [](Predicate predicate) {
     return predicate == Predicate::Frozen || predicate == Predicate::PowerOff || predicate == Predicate::Closed ||
@@ -72,18 +69,17 @@ bool is_put_away(const GoalVariable& variable, const Specification& plain, const
   if (std::find(asked.begin(), asked.end(), Predicate::Inside) == asked.end()) return false;
   return std::any_of(plain.binding.begin(), plain.binding.end(), [&](const auto& pair) {
     const auto* other = pair.second == variable.category ? nullptr : knowledge.find(pair.second);
-    return other != nullptr && std::any_of(other->kinds.begin(), other->kinds.end(), [](const std::string& kind) {
-             return std::find(kPutAway.begin(), kPutAway.end(), kind) != kPutAway.end();
-           });
+    return other != nullptr && uses != nullptr && uses->has(other->kinds, PlaceUse::NotAtHand);
   });
 }
 
 /// Whether people leave open which thing of many kinds is meant: what they want brought, set somewhere for use, or
-/// filled. "Turn an electronic device off", "chill a piece of fruit", "put a piece of clothing into the dresser": what is
-/// switched, cooked, washed or put away is a certain one.
-bool may_be_any_kind(const GoalVariable& variable, const Specification& plain, const Knowledge& knowledge) {
+/// filled. "Turn an electronic device off", "chill a piece of fruit", "put a piece of clothing into the dresser": what
+/// is switched, cooked, washed or put away is a certain one.
+bool may_be_any_kind(const GoalVariable& variable, const Specification& plain, const Knowledge& knowledge,
+                     const PlaceUses* uses) {
   const auto asked = predicates_of(plain.goal, variable.variable);
-  return !is_put_away(variable, plain, knowledge) &&
+  return !is_put_away(variable, plain, knowledge, uses) &&
          std::all_of(asked.begin(), asked.end(), [](Predicate predicate) {
            return predicate == Predicate::Held || predicate == Predicate::On || predicate == Predicate::InRoom ||
                   predicate == Predicate::Inside || predicate == Predicate::Filled;
@@ -107,13 +103,13 @@ AliasKind phrases_of(Style style) {
   }
 }
 
-std::optional<Specification> refine_by_phrase(const Specification& plain, const Knowledge& knowledge, Style style,
-                                              Rng rng) {
+std::optional<Specification> refine_by_phrase(const Specification& plain, const Knowledge& knowledge,
+                                              const SceneOffer& offer, Style style, Rng rng) {
   std::vector<std::string> choices;
   for (const auto& variable : singular_variables(plain.goal)) {
-    if (style == Style::Context && is_put_away(variable, plain, knowledge)) continue;
+    if (style == Style::Context && is_put_away(variable, plain, knowledge, offer.uses)) continue;
     const bool any_kind = style == Style::Hypernym || style == Style::Function;
-    if (any_kind && !may_be_any_kind(variable, plain, knowledge)) continue;
+    if (any_kind && !may_be_any_kind(variable, plain, knowledge, offer.uses)) continue;
     const auto* category = knowledge.find(variable.category);
     if (category != nullptr && (category->movable || style != Style::Function)) choices.push_back(variable.category);
   }

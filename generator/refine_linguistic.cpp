@@ -74,7 +74,7 @@ Specification reworded(const Specification& plain, Style style) {
 
 std::optional<Specification> refined(const Specification& plain, const Knowledge& knowledge, const SceneOffer& offer,
                                      Style style, const Rng& rng) {
-  if (names_by_phrase(style)) return refine_by_phrase(plain, knowledge, style, rng);
+  if (names_by_phrase(style)) return refine_by_phrase(plain, knowledge, offer, style, rng);
   switch (style) {
     case Style::Alias:
       return has_another_name(plain, knowledge) ? std::optional(reworded(plain, style)) : std::nullopt;

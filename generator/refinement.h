@@ -28,8 +28,8 @@ std::optional<Specification> refine_each_its_own(const Specification& plain, con
 /// One object of the goal is named by a phrase that means it and others ("something to drink from", "a piece of
 /// cutlery", "what I need for that"), or asked for by a sentence ("It's too dark to read."): the goal accepts all that
 /// could satisfy it, and the start must leave none of them where it would already do.
-std::optional<Specification> refine_by_phrase(const Specification& plain, const Knowledge& knowledge, Style style,
-                                              Rng rng);
+std::optional<Specification> refine_by_phrase(const Specification& plain, const Knowledge& knowledge,
+                                              const SceneOffer& offer, Style style, Rng rng);
 
 /// One object of the goal is told from others of its category, in the way that the style needs: the red one, the one
 /// that is not in the sink, all but the red one, the kitchen cabinet.

@@ -8,10 +8,13 @@
 
 namespace unietp {
 
+class PlaceUses;
+
 /// What a home offers a task: categories to fill placeholders with, and what there is to refer by.
 struct SceneOffer {
   std::vector<std::string> categories;  // that it has or may be given, and its room types; sorted; empty: any
   Trace now;                            // its present state, sizes and nearness among it; no state: nothing is known
+  const PlaceUses* uses = nullptr;      // what its places are used for, which outlives this; null: nothing is known
 };
 
 /// How many objects or rooms of a domain the home has now; those of its `:where`, when it has one. 0 when nothing is

@@ -12,11 +12,11 @@
 namespace unietp {
 namespace {
 
-Layout layout_of(Scene scene, const Backend& backend) {
+Layout layout_of(Scene scene, const Backend& backend, const PlaceUses* uses) {
   Layout layout;
   layout.home = prepare_home(std::move(scene), backend.profile);
   const Home& home = layout.home;
-  layout.offer = {offered_categories(home.scene, backend.knowledge), home.now};
+  layout.offer = {offered_categories(home.scene, backend.knowledge), home.now, uses};
   Facts& now = layout.offer.now.states.front();
   now = with_comparisons(now, home.scene, home.reader, {.all = true, .categories = {}});
   return layout;
@@ -59,7 +59,8 @@ const Result<Layout>& LayoutPool::layout(Simulator simulator, int index) {
       auto home = entry.given != nullptr ? Result<Scene>(*entry.given)
                                          : make_home(configuration_, resources_, simulator, entry.number);
       if (!home) return home.error();
-      return layout_of(std::move(*home), resources_.backend(simulator));
+      return layout_of(std::move(*home), resources_.backend(simulator),
+                       resources_.sense == nullptr ? nullptr : &resources_.sense->common.place_uses());
     };
     entry.layout = std::make_unique<Result<Layout>>(made());
   });

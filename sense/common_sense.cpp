@@ -56,7 +56,7 @@ Sense worse_of(Sense a, Sense b) {
 
 CommonSense::CommonSense(Kinds kinds, CategoryKinds categories, Judgments judgments, std::vector<SenseRule> rules,
                          const std::vector<Evidence>& evidence, SpecialPlaces special, Companions companions,
-                         PlaceUses uses)
+                         PlaceUses uses, GenericWords generic)
     : kinds_(std::move(kinds)),
       categories_(std::move(categories)),
       judgments_(std::move(judgments)),
@@ -64,7 +64,8 @@ CommonSense::CommonSense(Kinds kinds, CategoryKinds categories, Judgments judgme
       evidence_(evidence),
       special_(std::move(special)),
       companions_(std::move(companions)),
-      uses_(std::move(uses)) {
+      uses_(std::move(uses)),
+      generic_(std::move(generic)) {
   for (const auto& [of, grade] : judgments_) {
     if (of.second.starts_with(kInRoom)) in_rooms_.insert(of.second);
   }
@@ -247,7 +248,12 @@ bool CommonSense::has_rule_on(std::string_view material) const {
 
 bool CommonSense::has_rule_on_name(std::string_view words) const {
   const auto word = normal_word(words);
+  if (generic_.contains(words)) return true;
   return std::any_of(rules_.begin(), rules_.end(), [&](const SenseRule& rule) { return rule.words.contains(word); });
+}
+
+bool CommonSense::may_mean(const Thing& name, const Thing& thing) const {
+  return name.words != thing.words && generic_.may_mean(name.words, thing.kind, kinds_);
 }
 
 const SenseRule* CommonSense::broken(const Thing& thing, const Role& role) const {
@@ -312,8 +318,9 @@ CommonSense read_common_sense(const std::filesystem::path& folder, std::vector<E
   auto special = read_special_places(folder / "special_places.csv", kinds, errors);
   auto companions = read_companions(folder / "companions.csv", kinds, errors);
   auto uses = read_place_uses(folder / "place_uses.csv", kinds, errors);
-  return {std::move(kinds), std::move(categories), std::move(judgments),  std::move(rules),
-          evidence,         std::move(special),    std::move(companions), std::move(uses)};
+  auto generic = read_generic_words(folder / "generic_words.csv", kinds, errors);
+  return {std::move(kinds),   std::move(categories), std::move(judgments), std::move(rules),  evidence,
+          std::move(special), std::move(companions), std::move(uses),      std::move(generic)};
 }
 
 }  // namespace unietp

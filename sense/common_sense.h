@@ -11,6 +11,7 @@
 #include "sense/category_kinds.h"
 #include "sense/companions.h"
 #include "sense/evidence.h"
+#include "sense/generic_words.h"
 #include "sense/kinds.h"
 #include "sense/place_uses.h"
 #include "sense/special_places.h"
@@ -27,9 +28,9 @@ struct Sense {
 };
 /// What a grade rests on: a person's judgment of the kind or a wider one, what people wrote of it, that two things have
 /// a place in common, that two wants have nothing to do with one another, that a thing is dirty, that something is
-/// taken away from where it is, or nothing.
-inline constexpr std::array<std::string_view, 7> kWhys{"judged", "written", "shared",  "apart",
-                                                       "dirty",  "cleared", "unspoken"};
+/// taken away from where it is, that the names of two things may mean the same one, or nothing.
+inline constexpr std::array<std::string_view, 8> kWhys{"judged", "written", "shared",   "apart",
+                                                       "dirty",  "cleared", "one_name", "unspoken"};
 /// The worse of two; the reasons of both when they are equal.
 Sense worse_of(Sense a, Sense b);
 
@@ -56,12 +57,13 @@ class CommonSense {
  public:
   CommonSense(Kinds kinds, CategoryKinds categories, Judgments judgments, std::vector<SenseRule> rules,
               const std::vector<Evidence>& evidence, SpecialPlaces special = {}, Companions companions = {},
-              PlaceUses uses = {});
+              PlaceUses uses = {}, GenericWords generic = {});
 
   const Kinds& kinds() const { return kinds_; }  // those that the tables speak of
   /// Shelves and the like that are for some kinds only, and what goes along with what: as in their tables.
   const SpecialPlaces& special_places() const { return special_; }
   const Companions& companions() const { return companions_; }
+  const PlaceUses& place_uses() const { return uses_; }
   /// True for a kind of place that has this use.
   bool used_for(std::string_view place, PlaceUse use) const { return uses_.has(place, use, kinds_); }
   /// nullptr for a category that has none.
@@ -75,7 +77,9 @@ class CommonSense {
   Sense near(const Thing& thing, const Thing& landmark) const;
   /// True when the thing is at home on or in a place or machine, so that opening this one may be for its sake.
   bool belongs(const Thing& thing, const std::string& place) const;
-  /// True when some rule looks at this material, or speaks of things of this name.
+  /// Whether the name of one may mean the other, too: "the piece of fruit or the apple".
+  bool may_mean(const Thing& name, const Thing& thing) const;
+  /// True when some rule looks at this material, or speaks of things of this name, or the name is a generic word.
   bool has_rule_on(std::string_view material) const;
   bool has_rule_on_name(std::string_view words) const;
   /// The kinds that a rule keeps apart, in the order of the rules: nothing of the first is at one place with something
@@ -109,13 +113,14 @@ class CommonSense {
   SpecialPlaces special_;
   Companions companions_;
   PlaceUses uses_;
+  GenericWords generic_;
   std::set<Role> in_rooms_;                                       // all roles of being in a room that are judged
   std::map<std::pair<std::string, Role>, Count> counts_;          // of a kind and all narrower ones
   std::map<std::pair<std::string, std::string>, double> totals_;  // of a kind and a family
 };
 
-/// Reads data/sense/: kinds, categories, judged, counts, rules, special places, companions, uses of places. Errors are
-/// appended.
+/// Reads data/sense/: kinds, categories, judged, counts, rules, special places, companions, uses of places, generic
+/// words. Errors are appended.
 CommonSense read_common_sense(const std::filesystem::path& folder, std::vector<Error>& errors);
 
 }  // namespace unietp

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 
 #include "core/text.h"
 #include "sense/action_roles.h"
@@ -103,6 +104,7 @@ class GoalGrader {
         strangers(wants_.wants[i], wants_.wants[j]);
       }
     }
+    one_name();
     TaskSense task;
     if (parts_.empty()) {
       task.grade = wants_.moves_agent ? Grade::Usual : Grade::Tolerable;
@@ -255,6 +257,24 @@ class GoalGrader {
     }
   }
 
+  /// Two things of which one has a name that may mean the other, too: nobody tells "the piece of fruit" from the apple.
+  void one_name() {
+    std::set<std::size_t> wanted;
+    for (const Want& want : wants_.wants) wanted.insert(want.thing);
+    for (const auto a : wanted) {
+      for (const auto b : wanted) {
+        if (a == b || wants_.things[a].members == wants_.things[b].members) continue;
+        for (const auto& name : things_of(a)) {
+          for (const auto& thing : things_of(b)) {
+            if (sense_.may_mean(name, thing))
+              keep(name.words + " and " + thing.words,
+                   {Grade::Tolerable, 0.3, {"the one name may mean the other thing"}, "one_name"});
+          }
+        }
+      }
+    }
+  }
+
   void company(std::size_t a, std::size_t b) {
     for (const auto& first : things_of(a)) {
       for (const auto& second : things_of(b)) {
@@ -274,9 +294,17 @@ class GoalGrader {
         if (thing.kind.empty() || place.kind.empty()) continue;
         auto sense =
             near ? sense_.near(thing, place) : sense_.found(thing, sense_.kinds().place_role(relation, place.kind));
+        if (want.predicate == Predicate::Inside) sense = worse_of(std::move(sense), shut_up_in(thing, place));
         if (sense.grade != Grade::Usual) keep(thing.words + " found " + relation + " " + place.words, std::move(sense));
       }
     }
+  }
+
+  /// What lies about may lie anywhere, but nobody shuts a thing up in a place where it makes no sense.
+  Sense shut_up_in(const Thing& thing, const Thing& place) const {
+    const Sense kept = sense_.grade(thing, sense_.kinds().place_role("in", place.kind));
+    if (kept.grade == Grade::Senseless) return {Grade::Tolerable, 0.3, {"nobody keeps it in there"}, kept.why};
+    return {Grade::Usual, 1, {}, ""};
   }
 
   /// A thing that goes to a place in a room comes into that room.

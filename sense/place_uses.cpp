@@ -18,6 +18,8 @@ std::string_view name_of(PlaceUse use) {
       return "dirty_or_not";
     case PlaceUse::PutAway:
       return "put_away";
+    case PlaceUse::NotAtHand:
+      return "not_at_hand";
     case PlaceUse::Passing:
       return "passing";
   }
@@ -28,6 +30,13 @@ bool PlaceUses::has(std::string_view place, PlaceUse use, const Kinds& kinds) co
   const auto found = kinds_.find(use);
   return found != kinds_.end() && std::any_of(found->second.begin(), found->second.end(),
                                               [&](const std::string& kind) { return kinds.is_a(place, kind); });
+}
+
+bool PlaceUses::has(const std::vector<std::string>& lineage, PlaceUse use) const {
+  const auto found = kinds_.find(use);
+  return found != kinds_.end() && std::any_of(lineage.begin(), lineage.end(), [&](const std::string& kind) {
+           return std::find(found->second.begin(), found->second.end(), kind) != found->second.end();
+         });
 }
 
 PlaceUses read_place_uses(const std::filesystem::path& path, const Kinds& kinds, std::vector<Error>& errors) {
@@ -49,7 +58,8 @@ PlaceUses read_place_uses(const std::filesystem::path& path, const Kinds& kinds,
     }
     if (use == kPlaceUses.end()) {
       row.fail("use",
-               "'" + name + "' is not a use; known are storage, dirty_things, dirty_or_not, put_away and passing");
+               "'" + name +
+                   "' is not a use; known are storage, dirty_things, dirty_or_not, put_away, not_at_hand and passing");
     } else if (!places.try_emplace(*use, std::move(all)).second) {
       row.fail("use", "'" + name + "' stands twice");
     }

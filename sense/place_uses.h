@@ -18,10 +18,11 @@ enum class PlaceUse {
   DirtyThings,  // dirty things go there to be washed or thrown away
   DirtyOrNot,   // the same, and they may also go there while the place itself is dirty
   PutAway,      // things go there only in rooms where they usually are: no shampoo in the cabinet of a living room
-  Passing,      // tasks put things there, but nobody keeps them there: food waits in an oven only while it is cooked
+  NotAtHand,  // nobody who needs a thing now has it put there: where things are put away, washed, stored or thrown away
+  Passing,    // tasks put things there, but nobody keeps them there: food waits in an oven only while it is cooked
 };
 inline constexpr std::array kPlaceUses{PlaceUse::Storage, PlaceUse::DirtyThings, PlaceUse::DirtyOrNot,
-                                       PlaceUse::PutAway, PlaceUse::Passing};
+                                       PlaceUse::PutAway, PlaceUse::NotAtHand,   PlaceUse::Passing};
 std::string_view name_of(PlaceUse use);
 
 /// The kinds of places that have each use. Read only after loading.
@@ -33,6 +34,8 @@ class PlaceUses {
   /// True for a kind of place that has this use, or that is a narrower kind of one. A kind that is not of the taxonomy
   /// has none.
   bool has(std::string_view place, PlaceUse use, const Kinds& kinds) const;
+  /// The same by the names of the kind of place and all wider ones (Category::kinds).
+  bool has(const std::vector<std::string>& lineage, PlaceUse use) const;
 
  private:
   std::map<PlaceUse, std::vector<std::string>> kinds_;

@@ -28,9 +28,9 @@ void check_household(const std::filesystem::path& folder, bool sound) {
 bool sense_body(std::string_view text) {
   static const Folder folder("sense");
   constexpr std::string_view kBetween = "====\n";
-  for (const char* file :
-       {"kinds.csv", "categories.csv", "judged.csv", "counts.csv", "rules.csv", "words.csv", "hypernyms.csv",
-        "start_states.csv", "special_places.csv", "companions.csv", "place_uses.csv", "use_states.csv"}) {
+  for (const char* file : {"kinds.csv", "categories.csv", "judged.csv", "counts.csv", "rules.csv", "words.csv",
+                           "hypernyms.csv", "start_states.csv", "special_places.csv", "companions.csv",
+                           "place_uses.csv", "use_states.csv", "generic_words.csv"}) {
     const std::size_t end = text.find(kBetween);
     folder.write(file, text.substr(0, end));
     text = end == std::string_view::npos ? "" : text.substr(end + kBetween.size());

@@ -8,6 +8,7 @@
 #include "generator/domain_constraints.h"
 #include "generator/propose.h"
 #include "generator/specification.h"
+#include "sense/place_uses.h"
 #include "small_home.h"
 #include "tests/support/committed_knowledge.h"
 
@@ -122,13 +123,28 @@ TEST(RealKnowledge, OffersReferringConstraintsForMostTemplates) {
   }
 }
 
+/// A home of which only the uses of places are known.
+SceneOffer offer_of_uses() {
+  static const PlaceUses uses = [] {
+    std::vector<Error> errors;
+    const std::filesystem::path folder = std::filesystem::path(UNIETP_SOURCE_DIR) / "data/sense";
+    const Kinds kinds = read_kinds(folder / "kinds.csv", errors);
+    auto read = read_place_uses(folder / "place_uses.csv", kinds, errors);
+    for (const auto& error : errors) ADD_FAILURE() << format(error);
+    return read;
+  }();
+  SceneOffer offer;
+  offer.uses = &uses;
+  return offer;
+}
+
 /// Who says what they are about to do wants what they need for it at hand.
 TEST(RealKnowledge, NobodyHasWhatTheyNeedPutAwayOrSwitchedOff) {
   const auto& knowledge = committed_knowledge(Simulator::Virtualhome);
   const auto can_be_said = [&](const char* name, const Binding& binding) {
     const auto plain = instantiate(library_template(name), knowledge, binding);
     EXPECT_TRUE(plain) << format(plain.error());
-    return plain && refine_linguistic(*plain, knowledge, {}, "context", Rng(1)).has_value();
+    return plain && refine_linguistic(*plain, knowledge, offer_of_uses(), "context", Rng(1)).has_value();
   };
   EXPECT_TRUE(can_be_said("switch-on-one", {{"A", "computer"}}));
   EXPECT_FALSE(can_be_said("switch-off-one", {{"A", "computer"}}));
@@ -143,7 +159,7 @@ TEST(RealKnowledge, NobodyLeavesOpenWhichThingIsPutAwayOrChanged) {
   const auto can_be_said = [&](const char* name, const Binding& binding, const char* style) {
     const auto plain = instantiate(library_template(name), knowledge, binding);
     EXPECT_TRUE(plain) << format(plain.error());
-    return plain && refine_linguistic(*plain, knowledge, {}, style, Rng(1)).has_value();
+    return plain && refine_linguistic(*plain, knowledge, offer_of_uses(), style, Rng(1)).has_value();
   };
   for (const char* style : {"function", "hypernym"}) {
     EXPECT_TRUE(can_be_said("pick-up-one", {{"A", "Cup"}}, style)) << style;

@@ -83,6 +83,25 @@ TEST(GradeGoal, ThingsAreToldByWhatIsUsualInTheSameRoom) {
   }
 }
 
+TEST(GradeGoal, NothingIsToldByBeingShutUpWhereItMakesNoSense) {
+  const auto goal = [](const std::string& place) {
+    return "(exists (?a - (meat_loaf :where (exists (?p - " + place + ") (inside ?a ?p)))) (at-end (hot ?a)))";
+  };
+  EXPECT_EQ(graded(goal("fridge"), Simulator::Behavior).grade, Grade::Usual);
+  EXPECT_EQ(graded(goal("bottom_cabinet"), Simulator::Behavior).grade, Grade::Tolerable);
+}
+
+TEST(GradeGoal, TwoThingsHaveNamesOfWhichNoneMayMeanTheOther) {
+  const auto goal = [](const std::string& one, const std::string& other) {
+    return "(exists (?a - " + one + ") (exists (?b - " + other +
+           ") (exists (?c - fridge) (at-end (and (inside ?a ?c) (inside ?b ?c))))))";
+  };
+  const auto unclear = graded(goal("fruit", "apple"), Simulator::Habitat);
+  EXPECT_EQ(unclear.grade, Grade::Tolerable);
+  EXPECT_EQ(unclear.parts.front().sense.why, "one_name");
+  EXPECT_EQ(graded(goal("egg", "apple"), Simulator::Habitat).grade, Grade::Usual);
+}
+
 TEST(GradeGoal, NobodyUsesWhatIsDirtyOrPutsItAway) {
   const auto goal = [](const std::string& what) { return "(exists (?a - (Mug :where (dirty ?a))) " + what + ")"; };
   EXPECT_EQ(graded(goal("(at-end (clean ?a))")).grade, Grade::Usual);

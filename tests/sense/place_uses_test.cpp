@@ -35,11 +35,16 @@ TEST(PlaceUses, AreThoseOfTheirKindAndOfWiderOnes) {
   EXPECT_TRUE(sense.used_for("oven", PlaceUse::Passing));
   EXPECT_TRUE(sense.used_for("counter", PlaceUse::DirtyThings));
   EXPECT_FALSE(sense.used_for("counter", PlaceUse::DirtyOrNot));
+  EXPECT_TRUE(sense.used_for("kitchen_cabinet", PlaceUse::NotAtHand));
+  EXPECT_FALSE(sense.used_for("counter", PlaceUse::NotAtHand));
+  EXPECT_TRUE(sense.place_uses().has({"kitchen_cabinet", "cabinet", "place"}, PlaceUse::NotAtHand));
+  EXPECT_FALSE(sense.place_uses().has({"counter", "place"}, PlaceUse::NotAtHand));
 }
 
 TEST(PlaceUses, AFaultyRowIsReportedWithItsPlace) {
   const std::string rest =
-      "dirty_things,sink,curated\ndirty_or_not,sink,curated\nput_away,shelf,curated\npassing,oven,curated\n";
+      "dirty_things,sink,curated\ndirty_or_not,sink,curated\nput_away,shelf,curated\nnot_at_hand,sink,curated\n"
+      "passing,oven,curated\n";
   EXPECT_THAT(place_problems("storage,cabinet|drawer,curated\n" + rest), IsEmpty());
   EXPECT_THAT(place_problems("storage,cabnet,curated\n" + rest),
               Contains(HasSubstr("2:9: schema error: 'cabnet' is not")));
