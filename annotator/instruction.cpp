@@ -164,13 +164,7 @@ class TextChecker {
 
 /// Americans turn lights and machines on, and have gray cats.
 std::string american(std::string text) {
-  text = replace_all(text, " grey ", " gray ");
-  text = replace_all(text, " switched o", " turned o");
-  for (const std::string before : {", ", " and ", " then ", ". "}) {
-    text = replace_all(text, before + "switch ", before + "turn ");
-    text = replace_all(text, before + "Switch ", before + "Turn ");
-  }
-  return text.starts_with("Switch ") ? "Turn " + text.substr(7) : text;
+  return replace_all(replace_all(std::move(text), " grey ", " gray "), " switched o", " turned o");
 }
 
 /// "Fill something to drink from with water", "put something to read on on the bed", "grab me it".
