@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <string>
-#include <string_view>
 
 #include "annotator/noun_table.h"
 #include "resources/own_phrasings.h"
@@ -28,15 +27,10 @@ std::vector<std::string> own_words(std::string_view phrasing) {
   return words;
 }
 
-/// As Americans say it: a text may have been written so whatever its phrasing says (annotator/instruction.cpp).
-std::string_view american(std::string_view word) {
-  return word == "switch" ? "turn" : word == "switched" ? "turned" : word == "grey" ? "gray" : word;
-}
-
 bool has_in_order(const std::vector<Token>& text, const std::vector<std::string>& words) {
   auto at = words.begin();
   for (const Token& token : text)
-    if (at != words.end() && american(token.text) == american(*at)) ++at;
+    if (at != words.end() && token.text == *at) ++at;
   return at == words.end();
 }
 

@@ -9,8 +9,7 @@ Resources with_one_template() {
   Resources resources;
   Template source;
   source.name = "move-one";
-  source.instructions = {"Put {A:indefinite} on the floor of {R:definite}.", "Turn on {A:indefinite}.",
-                         "Switch off {A:indefinite}."};
+  source.instructions = {"Put {A:indefinite} on the floor of {R:definite}.", "Turn on {A:indefinite}."};
   resources.templates.push_back(source);
   return resources;
 }
@@ -28,7 +27,6 @@ TEST(CheckPhrasing, TakesTextsThatHaveItsWordsInOrder) {
   const Resources resources = with_one_template();
   EXPECT_TRUE(check_phrasing(said("Put a mug on the kitchen floor.", 1), resources).empty());
   EXPECT_TRUE(check_phrasing(said("There is a lamp on the desk. Turn it on.", 2), resources).empty());
-  EXPECT_TRUE(check_phrasing(said("Turn off a lamp.", 3), resources).empty()) << "as Americans say it";
   EXPECT_TRUE(check_phrasing(said("Move a mug.", 0), resources).empty());
 }
 
@@ -37,7 +35,6 @@ TEST(CheckPhrasing, RefusesOtherWordsOtherWritersAndPhrasingsThatAreNotThere) {
   EXPECT_EQ(check_phrasing(said("Move a mug to the kitchen.", 1), resources).size(), 1u);
   EXPECT_EQ(check_phrasing(said("Turn off a lamp.", 2), resources).size(), 1u);
   EXPECT_EQ(check_phrasing(said("Turn on a lamp.", 3), resources).size(), 1u);
-  EXPECT_EQ(check_phrasing(said("Turn on a lamp.", 4), resources).size(), 1u);
   EXPECT_EQ(check_phrasing(said("Turn on a lamp.", 2, "llm:m"), resources).size(), 1u);
 }
 
