@@ -3,8 +3,12 @@
 //   build/release/bench/true_boxes [VIEWS [PIXELS]]     (10000 views of 300 x 300 pixels in 20 homes)
 // Every object with a pixel has to be listed with the box around its pixels, and no other: without a limit of sight,
 // and within that of the profile. Exit code 1 if one is not; each such view is printed.
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "bench/furnished_views.h"
 #include "simulation/picture.h"
@@ -45,6 +49,16 @@ std::vector<VisibleObject> expected(const Scene& scene, const Profile& profile,
   return objects;
 }
 
+std::string text_of(const std::vector<VisibleObject>& objects, const std::vector<VisibleObject>& without) {
+  std::string text;
+  for (const VisibleObject& one : objects) {
+    if (std::find(without.begin(), without.end(), one) != without.end()) continue;
+    text += " " + one.id + " [" + std::to_string(one.box[0]) + "," + std::to_string(one.box[1]) + "," +
+            std::to_string(one.box[2]) + "," + std::to_string(one.box[3]) + "]";
+  }
+  return text;
+}
+
 void check(const FurnishedViews& seen, Counts& counts) {
   Rays rays;
   for (const Scene& scene : seen.scenes) {
@@ -53,12 +67,17 @@ void check(const FurnishedViews& seen, Counts& counts) {
     bool right = true;
     for (const double sight_m : {seen.profile.sight_m, kEndless_m}) {
       const auto listed = Viewer(scene).view(viewed(scene), scene.agent, seen.profile, sight_m);
-      right = right && listed == expected(scene, seen.profile, boxes, sight_m);
+      const auto by_rays = expected(scene, seen.profile, boxes, sight_m);
+      if (right && listed != by_rays) {
+        std::printf("view %zu: listed%s; by rays%s\n", counts.views, text_of(listed, by_rays).c_str(),
+                    text_of(by_rays, listed).c_str());
+        std::fflush(stdout);
+      }
+      right = right && listed == by_rays;
       if (sight_m == kEndless_m) counts.boxes += listed.size();
     }
     counts.through_glass += image.through.empty() ? 0 : 1;
     counts.wrong += right ? 0 : 1;
-    if (!right) std::printf("view %zu in %s differs\n", counts.views, std::string(name_of(scene.simulator)).c_str());
     ++counts.views;
   }
 }

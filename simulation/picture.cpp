@@ -372,14 +372,12 @@ Segmentation segmentation_of(const Scene& scene, const Profile& profile, Rays& r
   for (int y = 0; y < camera.height; ++y) {
     for (int x = 0; x < camera.width; ++x) {
       const Vec3 direction = camera.ray(x + 0.5, y + 0.5);
-      Vec3 from = camera.at;
-      auto hit = rays.first(from, direction, kEverywhere_m);
+      auto hit = rays.first(camera.at, direction, kEverywhere_m);
       const auto owner = [&] { return hit ? rays.solids()[hit->solid].owner : -1; };
       const std::size_t pixel = image.node.size();
       image.node.push_back(owner());
       while (hit && rays.solids()[hit->solid].clear) {
-        from += hit->along * direction + kInto_m * direction.normalized();
-        hit = rays.first(from, direction, kEverywhere_m);
+        hit = rays.next(camera.at, direction, kEverywhere_m, *hit);
         if (owner() >= 0) image.through.push_back({pixel, owner()});
       }
     }

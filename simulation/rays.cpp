@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <embree3/rtcore.h>
 
@@ -24,6 +25,7 @@ struct RayQuery {
   const Vec3* direction = nullptr;
   double along = kNever;
   unsigned solid = 0;
+  const SolidHit* after = nullptr;
 };
 
 void bounds_of_solid(const RTCBoundsFunctionArguments* asked) {
@@ -41,6 +43,9 @@ void meet_solid(const RTCIntersectFunctionNArguments* asked) {
   const double along = enter_from_w(solid, *question.from, *question.direction).along;
   if (along > question.along || (along == question.along && asked->primID >= question.solid)) return;
   if (along == kNever) return;
+  if (question.after != nullptr &&
+      std::pair(along, std::size_t{asked->primID}) <= std::pair(question.after->along, question.after->solid))
+    return;
   question.along = along;
   question.solid = asked->primID;
   // Farther solids are skipped, with a margin for single precision.
@@ -59,6 +64,7 @@ struct Rays::Impl {
   Impl() = default;
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
+  std::optional<SolidHit> find(const Vec3& from, const Vec3& direction, double farthest, const SolidHit* after) const;
   ~Impl() {
     if (scene != nullptr) rtcReleaseScene(scene);
     if (device != nullptr) rtcReleaseDevice(device);
@@ -97,8 +103,19 @@ void Rays::build(std::vector<Solid> solids) {
 }
 
 std::optional<SolidHit> Rays::first(const Vec3& from, const Vec3& direction, double farthest) const {
-  if (impl_->scene == nullptr) return std::nullopt;
+  return impl_->find(from, direction, farthest, nullptr);
+}
+
+std::optional<SolidHit> Rays::next(const Vec3& from, const Vec3& direction, double farthest,
+                                   const SolidHit& after) const {
+  return impl_->find(from, direction, farthest, &after);
+}
+
+std::optional<SolidHit> Rays::Impl::find(const Vec3& from, const Vec3& direction, double farthest,
+                                         const SolidHit* after) const {
+  if (scene == nullptr) return std::nullopt;
   RayQuery question;
+  question.after = after;
   rtcInitIntersectContext(&question.context);
   question.from = &from;
   question.direction = &direction;
@@ -115,9 +132,9 @@ std::optional<SolidHit> Rays::first(const Vec3& from, const Vec3& direction, dou
   ray.ray.mask = std::numeric_limits<unsigned>::max();
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(impl_->scene, &question.context, &ray);
+  rtcIntersect1(scene, &question.context, &ray);
   if (question.solid == std::numeric_limits<unsigned>::max()) return std::nullopt;
-  const RayTarget& solid = impl_->ready[question.solid];
+  const RayTarget& solid = ready[question.solid];
   return SolidHit{question.along, question.solid, solid.normal_in_w(enter_from_w(solid, from, direction).normal)};
 }
 

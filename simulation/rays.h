@@ -34,6 +34,9 @@ class Rays {
   /// The nearest solid from outside at most `farthest` lengths of `direction` away, of equally near ones the first in
   /// the list. Solids around `from` are ignored.
   std::optional<SolidHit> first(const Vec3& from, const Vec3& direction, double farthest) const;
+  /// The next solid on the same ray after that one, where it is looked through: each solid comes once, where the ray
+  /// first enters it.
+  std::optional<SolidHit> next(const Vec3& from, const Vec3& direction, double farthest, const SolidHit& after) const;
 
  private:
   struct Impl;
