@@ -3,8 +3,11 @@
 #include "fuzz_bodies.h"
 #include "grounding/household.h"
 #include "sense/common_sense.h"
+#include "sense/generic_words.h"
+#include "sense/place_uses.h"
 #include "sense/question.h"
 #include "sense/start_states.h"
+#include "sense/use_states.h"
 #include "support.h"
 
 namespace unietp::fuzz {
@@ -39,6 +42,9 @@ bool sense_body(std::string_view text) {
   const CommonSense sense = read_common_sense(folder.path(), errors);
   const WordKinds words = read_word_kinds(folder.path(), sense.kinds(), errors);
   const StartStates states = read_start_states(folder.path() / "start_states.csv", sense.kinds(), errors);
+  (void)read_use_states(folder.path() / "use_states.csv", sense.kinds(), errors);
+  (void)read_generic_words(folder.path() / "generic_words.csv", sense.kinds(), errors);
+  (void)read_place_uses(folder.path() / "place_uses.csv", sense.kinds(), errors);
   for (const Error& error : errors) check_error(error);
   for (const Kind& kind : sense.kinds().all()) {
     const auto lineage = sense.kinds().lineage(kind.name);
