@@ -54,7 +54,7 @@ TEST(Referring, TemplatesThatReferAreProven) {
 
 TEST(Referring, StylesOfATemplateAreProven) {
   expect_proven({"put-in-before-closing", "linguistic", "", "inverted-order", {"Before you"}}, "ai2thor,habitat");
-  expect_proven({"switch-on-what-was-filled", "linguistic", "", "subordinate-clause", {"Once you", "As soon as you"}},
+  expect_proven({"switch-on-what-was-filled", "linguistic", "", "subordinate-clause", {"Once it's in", "As soon as"}},
                 "ai2thor,virtualhome");
   expect_proven({"place-a-couple-inside", "linguistic", "", "vague-quantity", {"a couple of"}}, "virtualhome,habitat");
 }
