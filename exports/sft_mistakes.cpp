@@ -7,6 +7,7 @@
 
 #include "core/rng.h"
 #include "environment/environment.h"
+#include "exports/sft_reasoning.h"
 
 namespace unietp {
 namespace {
@@ -22,17 +23,6 @@ constexpr std::array kTelling{Failure::TooFar,           Failure::NotVisible, Fa
 bool is_manipulation(const StepRecord& step) {
   const auto type = action_named(step.command.action);
   return type && info(*type).group != ActionClass::Movement && info(*type).group != ActionClass::Control;
-}
-
-/// The object of a step, also where the command points at it; "" for none.
-std::string object_of(const StepRecord& step) {
-  if (step.command.args.empty()) return "";
-  const Argument& argument = step.command.args.front();
-  if (!argument.box) return argument.id;
-  for (const VisibleObject& seen : step.visible) {
-    if (seen.box == *argument.box) return seen.id;
-  }
-  return "";
 }
 
 class MistakeMaker {

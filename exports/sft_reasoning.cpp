@@ -25,6 +25,16 @@ std::string sentence(std::string text) {
 
 }  // namespace
 
+std::string object_of(const StepRecord& step) {
+  if (step.command.args.empty()) return "";
+  const Argument& argument = step.command.args.front();
+  if (!argument.box) return argument.id;
+  for (const VisibleObject& object : step.visible) {
+    if (object.box == *argument.box) return object.id;
+  }
+  return "";
+}
+
 SftReasoning::SftReasoning(const FinishedTask& task, Mode mode, const Knowledge& knowledge)
     : shown_(task.shown.at(mode)),
       mode_(mode),
@@ -47,7 +57,7 @@ std::string SftReasoning::before_step(std::size_t index, const Scene& before) {
 std::string SftReasoning::sight(std::size_t index, const Scene& before) const {
   const StepRecord& step = shown_.steps[index];
   if (step.command.action == info(ActionType::Stop).name) return "";
-  const std::string target = target_of(step);
+  const std::string target = object_of(step);
   const std::string sought = sought_after(index, before);
   if (!target.empty() && find_room(before, target) == nullptr) {
     if (in_view(step, target)) return sentence(name(target, before)) + " is in view. ";
@@ -63,9 +73,9 @@ std::string SftReasoning::sight(std::size_t index, const Scene& before) const {
 }
 
 std::string SftReasoning::sought_after(std::size_t index, const Scene& before) const {
-  const std::string now = target_of(shown_.steps[index]);
+  const std::string now = object_of(shown_.steps[index]);
   for (std::size_t i = index + 1; i < shown_.steps.size(); ++i) {
-    const std::string target = target_of(shown_.steps[i]);
+    const std::string target = object_of(shown_.steps[i]);
     if (target != now && find_node(before, target) != nullptr) return target;
   }
   return "";
@@ -76,16 +86,6 @@ std::string SftReasoning::hand(const Scene& before) const {
   std::vector<std::string> held;
   for (const auto& id : before.agent.held) held.push_back(name(id, before));
   return "I hold " + join(held, " and ") + ". ";
-}
-
-std::string SftReasoning::target_of(const StepRecord& step) const {
-  if (step.command.args.empty()) return "";
-  const Argument& argument = step.command.args.front();
-  if (!argument.box) return argument.id;
-  for (const VisibleObject& object : step.visible) {
-    if (object.box == *argument.box) return object.id;
-  }
-  return "";
 }
 
 std::string SftReasoning::kind(const std::string& id, const Scene& scene) const {

@@ -10,6 +10,9 @@
 
 namespace unietp {
 
+/// The id of a step's object, also where the command points at it with a box; "" for none.
+std::string object_of(const StepRecord& step);
+
 /// Rationales of a demonstration: whether the object of the next action is in view, what the agent holds, and what is
 /// missing of the goal. Only objects that the agent was told about or has seen are named by id; in M3 none is.
 class SftReasoning {
@@ -24,7 +27,6 @@ class SftReasoning {
   /// The next other object that will be handled; "" for none.
   std::string sought_after(std::size_t index, const Scene& before) const;
   std::string hand(const Scene& before) const;
-  std::string target_of(const StepRecord& step) const;
   std::string name(const std::string& id, const Scene& scene) const;
   std::string kind(const std::string& id, const Scene& scene) const;
   std::string in_own_words(std::string_view text, const Scene& scene) const;

@@ -17,9 +17,10 @@ class ReadyStart : public ::testing::Test {
     ASSERT_TRUE(style_);
   }
   /// The starts of a goal in a few homes, where there are any.
-  std::vector<Scene> starts(const std::string& goal, const std::vector<std::string>& init) const {
+  std::vector<Scene> starts(const std::string& goal, const std::vector<std::string>& init,
+                            std::uint64_t homes = 6) const {
     std::vector<Scene> all;
-    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    for (std::uint64_t seed = 1; seed <= homes; ++seed) {
       auto home = full_home_of(*style_, seed);
       if (!home) continue;
       const Home prepared = prepare_home(std::move(*home), style_->profile);
@@ -66,10 +67,12 @@ class ReadyStart : public ::testing::Test {
   std::optional<Surroundings> style_;
 };
 
+/// One mug in twenty that is not in a sink or a dishwasher is dirty in a home where nothing is asked for, so few homes
+/// would show nothing.
 TEST_F(ReadyStart, HasCleanDishesForATable) {
   const auto made =
       starts("(exists (?a - Mug) (exists (?b - DiningTable) (at-end (on ?a ?b))))",
-             {"(exists (?a - Mug) (and))", "(forall (?a - Mug) (not (exists (?b - DiningTable) (on ?a ?b))))"});
+             {"(exists (?a - Mug) (and))", "(forall (?a - Mug) (not (exists (?b - DiningTable) (on ?a ?b))))"}, 40);
   const auto clean = number(made, "Mug", Predicate::Clean, washes());
   EXPECT_EQ(clean.with, clean.all);
   EXPECT_GT(clean.all, 2);
