@@ -183,35 +183,6 @@ bool sounds_right(const std::string& text) {
   return std::none_of(kNever.begin(), kNever.end(), [&](const char* words) { return text.find(words) != text.npos; });
 }
 
-bool of_one_kind(const Category& a, const Category& b) {
-  return std::any_of(a.kinds.begin(), a.kinds.end(), [&](const std::string& kind) {
-    return std::find(b.kinds.begin(), b.kinds.end(), kind) != b.kinds.end();
-  });
-}
-
-/// "The apple or the other piece of fruit", of a category that is named after its kind, and of one of this kind.
-std::string with_other(std::string text, const Formula& goal, const Knowledge& knowledge, const NounTable& nouns) {
-  constexpr std::array kKinds{"piece of fruit", "food", "toy", "tool", "kitchen utensil", "piece of clothing"};
-  const auto named = categories_of(goal);
-  for (const std::string& wide : named) {
-    const auto* category = knowledge.find(wide);
-    const std::string kind = category == nullptr ? "" : nouns.display(wide)->singular;
-    if (std::find(kKinds.begin(), kKinds.end(), kind) == kKinds.end()) continue;
-    for (const std::string& narrow : named) {
-      const auto* other = knowledge.find(narrow);
-      if (other == nullptr || narrow == wide || !of_one_kind(*other, *category)) continue;
-      const std::string& name = nouns.display(narrow)->singular;
-      for (const std::string& thing : {"the " + name, with_article(name)})
-        for (const std::string link : {" or ", " and "}) {
-          const std::string ordered = thing + link + "the other " + kind;
-          text = replace_all(text, "the " + kind + link + thing, ordered);
-          text = replace_all(text, thing + link + "the " + kind, ordered);
-        }
-    }
-  }
-  return text;
-}
-
 /// Adds to a text what a style has besides what is asked. False when there is nothing to add.
 bool add_style_frame(std::string& text, const Specification& specification, Style style, const TextChecker& judge,
                      const Knowledge& knowledge, const NounTable& lexicon, Rng& rng) {
@@ -341,7 +312,7 @@ class Writer {
     // "Put it where we keep the milk and close it."
     if (plain && text.find(" it", where) != text.npos) return std::nullopt;
     if (!sounds_right(text)) return std::nullopt;
-    if (is_everyday()) text = with_tops(with_other(std::move(text), judge_.goal(), knowledge_, nouns_), nouns_);
+    if (is_everyday()) text = with_tops(std::move(text), nouns_);
     // Nobody is asked to close "the place where we keep the milk".
     if (text.find(" the place where ") != text.npos || text.find(" the spot where ") != text.npos) return std::nullopt;
     if (!judge_.reads_back(text) || !style_fault(text, style, specification_.goal, options_.around, nouns_).empty())

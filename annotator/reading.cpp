@@ -159,8 +159,7 @@ NounPhrase PhraseReader::phrase() {
     read.modifiers.push_back({P::Size, false, std::string(size), {}});
     return as(Determiner::The, true);
   }
-  const bool of_kind = comes("the other") && lexicon_.noun_at(tokens_, at_ + 2).length > 0;
-  if (of_kind ? accept("the other") : accept("the")) return as(Determiner::The);  // "… or the other piece of fruit"
+  if (accept("the")) return as(Determiner::The);
   for (const auto& [words, number] : {std::pair{"a couple of", 2}, std::pair{"a few", 3}}) {
     if (!accept(words)) continue;
     read.number = number;
