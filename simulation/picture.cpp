@@ -168,21 +168,22 @@ class Painter {
 
   Colour colour_at(int x, int y) {
     const Spot& spot = spots_[index(x, y)];
-    return colour_of(spot, camera_.at, way(x, y), light_at(x, y));
+    return colour_of(spot, camera_.at, way(x, y), light_at(x, y), 0);
   }
 
-  /// Of a spot on a ray, lit, with what is seen through it.
-  Colour colour_of(const Spot& spot, const Vec3& from, const Vec3& direction, const Vec3& light) {
+  /// Of a spot on a ray, lit, with what is seen through it. `through`: how many clear faces lie before it.
+  Colour colour_of(const Spot& spot, const Vec3& from, const Vec3& direction, const Vec3& light, int through) {
+    constexpr int kMostThrough = 64;  // bounds the recursion; so much glass lets nothing through that could be seen
     const Vec3 at = from + spot.depth * direction;
     const Finish finish = finish_at(spot, at, direction);
     if (finish.glows) return finish.colour;
     Colour colour = finish.colour.cwiseProduct(light);
-    if (finish.clear > 0) {
+    if (finish.clear > 0 && through < kMostThrough) {
       const Vec3 inside = at + kInto_m * direction.normalized();
       const auto hit = rays_.first(inside, direction, kEverywhere_m);
       const Spot next =
           hit ? Spot{static_cast<std::int32_t>(hit->solid), hit->along, hit->normal} : shell(inside, direction);
-      const Colour behind = colour_of(next, inside, direction, lit(next, inside, direction));
+      const Colour behind = colour_of(next, inside, direction, lit(next, inside, direction), through + 1);
       colour = mixed(colour, behind.cwiseProduct(Vec3(0.94, 0.98, 1.0)), finish.clear);
     }
     return finish.gloss > 0 ? shining(colour, finish.gloss, spot.normal, direction) : colour;
