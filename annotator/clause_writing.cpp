@@ -69,12 +69,12 @@ std::string with_particle_order(const std::string& pattern, const std::string& s
   return pattern;
 }
 
-/// "take the mug off the desk", "out of the sink", "from the kitchen": "" where it is described otherwise.
+/// "take the mug off the desk", "out of the sink": "" where it is described otherwise.
 std::string taken_from(const Complement& place) {
   if (place.negated || place.converse || place.object.empty()) return "";
   if (place.predicate == Predicate::On) return " off ";
   if (place.predicate == Predicate::Inside) return " out of ";
-  return place.predicate == Predicate::InRoom ? " from " : "";
+  return "";
 }
 
 }  // namespace

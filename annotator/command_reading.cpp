@@ -33,7 +33,8 @@ Clause ClauseReader::command() {
   if (words_.accept("swap")) return swapped();
   if (words_.accept("divide")) return shared_out();
   if (words_.accept("split the")) return split_evenly();
-  if (words_.comes("put one of the") && words_.follows("and the other one")) {
+  if (words_.comes("put one of the") &&
+      (words_.follows("and the other one") || words_.follows("and leave the other one"))) {
     words_.accept("put one of the");
     return one_on_each();
   }

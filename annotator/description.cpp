@@ -46,6 +46,14 @@ std::string Naming::adjective(const Complement& modifier, bool two) {
   return modifier.symbol.empty() && word.find(' ') == std::string::npos ? word : "";
 }
 
+/// Whether a room is said before a name: "the kitchen cabinet", "the bedroom side table", but "the upper cabinet in the
+/// kitchen" and "the dining table in the dining room".
+bool Naming::takes_room(const std::string& name) {
+  const auto words = tokens_of(name);
+  const bool table = words.size() == 2 && words.back().text == "table" && words.front().text != "dining";
+  return (words.size() == 1 || table) && !name.ends_with("plant");
+}
+
 /// "the kitchen cabinet"
 std::string Naming::room_before(const Complement& modifier, const NounPhrase& said) const {
   const bool fixed = everyday() && said.determiner == Determiner::New && !is_carried(said.noun);
@@ -54,6 +62,7 @@ std::string Naming::room_before(const Complement& modifier, const NounPhrase& sa
   const auto* name = room ? lexicon_.display(modifier.object[0].noun.members[0].category) : nullptr;
   const auto* own = fixed && said.noun.members.size() == 1 ? lexicon_.display(said.noun.members[0].category) : nullptr;
   if (name == nullptr || (fixed && (own == nullptr || says_room(own->singular)))) return "";
+  if (fixed && style_ != Style::Compound && !takes_room(own->singular)) return "";
   return name->singular;
 }
 
@@ -94,7 +103,8 @@ std::optional<Naming::Description> Naming::describe(const NounPhrase& said, Plac
     }
     const auto text = complement(*modifier, inside);
     if (!text) return std::nullopt;
-    const bool direct = rest.size() == 1 && is_direct(*modifier, place);
+    const bool stands = everyday() && modifier->predicate == Predicate::InRoom && !is_carried(said.noun);
+    const bool direct = rest.size() == 1 && (is_direct(*modifier, place) || (stands && !modifier->negated));
     if (direct && (everyday() || modifier->predicate == Predicate::Nearest || rng_.chance(0.7))) {
       description.directly = " " + *text;
     } else {

@@ -52,21 +52,29 @@ Clause ClauseReader::swapped() {
   return both;
 }
 
-/// "put one of the mugs on the desk and the other one on the shelf": there are two, and one is on each.
+/// "put one of the mugs on the desk and the other one on the shelf": there are two, and one is on each. "… and leave the
+/// other one on the shelf" says so by equal numbers.
 Clause ClauseReader::one_on_each() {
   Clause clause;
   clause.subjects.push_back(words_.bare_noun());
-  clause.subjects[0].determiner = Determiner::Every;
-  clause.subjects[0].promised = 2;
   clause.complements.push_back(words_.complement());
-  words_.expect("and the other one");
+  const bool stays = words_.accept("and leave the other one");
+  if (!stays) words_.expect("and the other one");
   clause.complements.push_back(words_.complement());
   for (const Complement& place : clause.complements)
     if (place.predicate != P::On || place.negated) words_.fail("expected 'on …' before this");
   for (Complement& place : clause.complements)
     if (!words_.failed() && place.object[0].determiner == Determiner::New)
       place.object[0].determiner = Determiner::Single;
-  clause.any_complement = clause.each_has_one = true;
+  clause.each_has_one = true;
+  if (stays) {
+    clause.kind = Clause::Kind::Compare;
+    clause.subjects.push_back(clause.subjects[0]);
+    return clause;
+  }
+  clause.subjects[0].determiner = Determiner::Every;
+  clause.subjects[0].promised = 2;
+  clause.any_complement = true;
   return clause;
 }
 
@@ -207,7 +215,8 @@ Clause ClauseReader::remaining() {
 
 bool ClauseReader::left_alone(Clause& clause) {
   const int others = words_.accept_one({"do not open any of the others", "leave the others closed",
-                                        "do not open the other one", "leave the other one closed"});
+                                        "do not open the other one", "leave the other one closed",
+                                        "don't touch the others", "don't touch the other one"});
   if (others >= 0) {
     NounPhrase rest = words_.last_noun();
     rest.determiner = Determiner::Every;

@@ -83,9 +83,13 @@ Text shared(const Clause& clause, Naming& naming) {
   const auto things = even || pair ? naming.plural(clause.subjects[0]) : std::nullopt;
   const auto all = even || pair ? std::nullopt : naming.phrase(clause.subjects[0], {.together = true});
   if (even || pair ? !things : !all) return std::nullopt;
-  const auto first = naming.phrase(clause.complements[0].object[0], {});
-  const auto second = first ? naming.phrase(clause.complements[1].object[0], {}) : std::nullopt;
+  const bool one_moves = even && clause.subjects[0].two;  // of two on the place that is named first
+  const std::size_t near = one_moves ? 1 : 0;
+  const auto first = naming.phrase(clause.complements[near].object[0], {});
+  const auto second = first ? naming.phrase(clause.complements[1 - near].object[0], {}) : std::nullopt;
   if (!second) return std::nullopt;
+  if (one_moves)
+    return "put one of the " + *things + " on " + first->text + " and leave the other one on " + second->text;
   if (pair) return "put one of the " + *things + " on " + first->text + " and the other one on " + second->text;
   const std::string places = " between " + first->text + " and " + second->text;
   return even ? "split the " + *things + " evenly" + places : "divide " + all->text + places;
@@ -143,9 +147,11 @@ std::optional<std::string> each_somewhere(const Clause& clause, Naming& naming) 
                      (naming.is_alone(object.noun) ? "the " + *place : with_article(*place)));
   }
   const auto things = naming.phrase(subject, {.together = true});
-  for (const std::string_view all : {"both ", "all the "})
-    if (things && things->text.starts_with(all) && things->text.find(" that ") == std::string::npos)
-      return "put each of the " + things->text.substr(all.size()) + " " + join(places, " or ");
+  if (!things || things->text.find(" that ") != std::string::npos) return std::nullopt;
+  if (things->text.starts_with("both ")) return "put " + things->text + " " + join(places, " or ");
+  constexpr std::string_view kAll = "all the ";
+  if (things->text.starts_with(kAll))
+    return "put each of the " + things->text.substr(kAll.size()) + " " + join(places, " or ");
   return std::nullopt;
 }
 
@@ -186,7 +192,7 @@ std::optional<std::string> left_alone(const Clause& clause, Naming& naming) {
   }
   if (subject.modifiers.size() == 1 && subject.modifiers[0].predicate == P::Closed && !subject.modifiers[0].negated &&
       naming.was_named_kind(subject.noun))
-    return subject.there == 1 ? "leave the other one closed" : "leave the others closed";
+    return subject.there == 1 ? "don't touch the other one" : "don't touch the others";
   const auto any = naming.phrase(as(subject, Determiner::Any), {});
   return any ? Text("do not open " + any->text) : std::nullopt;
 }

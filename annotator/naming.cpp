@@ -270,7 +270,9 @@ std::optional<Words> Naming::again(const NounPhrase& said, const Noun& noun, Pla
     if (other.variable == said.variable) position = alike.size(), use = other.use;
     if (other.noun == said.noun) alike.push_back(alike.size());
   }
-  const bool clear = is_what_it_means(said, place);
+  // "Before you put the ketchup in the fridge, put the mustard in it" could mean the ketchup.
+  const bool either = everyday() && style_ == Style::InvertedOrder && !place.moved && topic_ != said.variable;
+  const bool clear = is_what_it_means(said, place) && !either;
   mentioned_.push_back(said.variable);
   const double usual = everyday() ? wording_.pronouns : named_.size() > 1 ? 0 : style_ == Style::Anaphora ? 1 : 0.7;
   const std::string pair = everyday() ? pair_name(said.noun, noun) : "";

@@ -142,6 +142,7 @@ class Naming {
   std::string adjective(const Complement& modifier, bool two);
   std::string room_before(const Complement& modifier, const NounPhrase& said) const;
   bool says_room(const std::string& name) const;
+  static bool takes_room(const std::string& name);
   std::optional<Words> first(const NounPhrase& phrase, const Noun& noun, Place place, const Description& description);
   std::optional<Words> all_but(const NounPhrase& phrase, const Noun& noun);
   /// "pants", where "the pair of pants" is meant; "" for others.

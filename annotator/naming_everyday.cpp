@@ -7,6 +7,10 @@ namespace {
 
 constexpr double kOneOf = 0.2;  // of the places of which there are several
 
+bool says_its_room(const Complement& modifier) {
+  return modifier.predicate == Predicate::InRoom && !modifier.negated && !modifier.converse;
+}
+
 }  // namespace
 
 bool Naming::is_alone(const Domain& noun) const {
@@ -110,7 +114,10 @@ Words Naming::first_everyday(const NounPhrase& said, const Noun& noun, Place pla
                          !lexicon_.is_room_type(said.noun.members[0].category) && mentions_of(said.noun) == 1;
   // Within a description "the desk" may be read otherwise than it is meant.
   const bool the = (alone || describes) && (!place.inside_description || wording_.pronouns == 1 || rng_.chance(0.5));
-  const bool definite = the || place.unique || (described && !place.inside_description);
+  // "A kitchen cabinet", "a lower cabinet in the kitchen", where it has several.
+  const bool one_of_a_room =
+      said.there > 1 && !is_carried(said.noun) && said.modifiers.size() == 1 && says_its_room(said.modifiers[0]);
+  const bool definite = the || place.unique || (described && !place.inside_description && !one_of_a_room);
   if (const std::string pair = definite ? pair_name(said.noun, noun) : ""; !pair.empty())
     return {"the " + description.before + pair + description.tail(true), true};
   if (definite) return {"the " + description.before + definite_name(noun.singular) + tail, is_plural(noun)};

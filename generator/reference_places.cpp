@@ -59,7 +59,8 @@ class Landmarks {
         // A landmark stays where it is: furniture, or what a thing of the task is set down beside.
         if (movable && other->movable != (relation == Predicate::NextTo)) continue;
         rows.push_back(row);
-        weights.push_back(row->likelihood);
+        // "In the fridge" says where; "in one of the cupboards" hardly does.
+        weights.push_back(row->likelihood / std::max(1, number_of(offer_, row->receptacle)));
       }
       for (std::size_t drawn = 0; drawn < kMostLandmarks && !rows.empty(); ++drawn) {
         const auto at = rng.weighted(weights);

@@ -5,6 +5,7 @@
 
 #include "core/text.h"
 #include "dataset/task_purpose.h"
+#include "generator/place_in_room.h"
 #include "generator/propose.h"
 #include "scene/json_parse.h"
 #include "validator/conjuncts.h"
@@ -88,7 +89,8 @@ class TaskAgainstTemplate {
     if (const auto* refusal = std::get_if<GateRefusal>(&filled)) {
       found("its binding does not fit its template: " + refusal->reason);
     } else if (bindings_in_order()) {
-      const auto& plain = std::get<Specification>(filled);
+      const auto& knowledge = resources_.backend(*simulator).knowledge;
+      const auto plain = with_rooms_of_goal(std::get<Specification>(filled), *refinement, knowledge);
       plain.split == *split ? compare(plain) : compare_refined(plain, *split, *refinement);
     }
     return std::move(problems_);
@@ -96,6 +98,13 @@ class TaskAgainstTemplate {
 
  private:
   void found(std::string message) { problems_.push_back(problem_in(ProblemKind::OfTemplate, "", std::move(message))); }
+
+  /// The rooms by which the goal tells places apart are no refinement of it.
+  Specification with_rooms_of_goal(Specification plain, Referring refinement, const Knowledge& knowledge) const {
+    for (const PlaceInRoom& place : places_in_rooms(goal_, refinement, plain.goal, knowledge))
+      if (auto named = with_place_in_room(plain, place)) plain = *std::move(named);
+    return plain;
+  }
 
   bool bindings_in_order() {
     std::vector<std::string> wanted, there;

@@ -1,6 +1,7 @@
 #include "run/category_weights.h"
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -13,6 +14,13 @@ namespace {
 
 constexpr double kAdded = 1e-4;   // times the weight of what is there
 constexpr double kTooFew = 0.02;  // likewise, of what is there, but not in the number that is needed
+
+/// What furniture weighs of which the home has `more` than are needed. People name a place that the home has once or
+/// tell which they mean; "a side table" of seven is what nobody says.
+double weight_of_which(std::size_t more) {
+  constexpr std::array kWeights{1.0, 0.3, 0.05};
+  return more < kWeights.size() ? kWeights[more] : 0.02;
+}
 
 /// How many of each placeholder's category the start needs: those that `init` counts, and another one to tell it from.
 std::vector<std::size_t> needed_by(const Template& source, Split split) {
@@ -61,7 +69,11 @@ CategoryWeight weight_in(const Layout& layout, const Template& source, Split spl
     if (dimension == Dimension::Room || is_value(parameter)) return own;
     const std::size_t there = layout.home.places.of(category).size();
     if (there == 0) return own * kAdded;
-    if (there < needed[at]) own *= kTooFew;
+    if (there < needed[at]) {
+      own *= kTooFew;
+    } else if (!layout.home.scene.nodes[layout.home.places.of(category).front()].movable) {
+      own *= weight_of_which(there - needed[at]);
+    }
     if (rooms == nullptr) return own;
     const auto stands = rooms->find(category);
     if (stands == rooms->end()) return own;

@@ -58,6 +58,14 @@ bool all_sinks_suit(const Formula& goal, const Layout& layout, const Household& 
   });
 }
 
+RoomSuits rooms_for(const Formula& goal, const Household& household) {
+  return [things = goal_places(goal), &household](const std::string& place, const std::string& room) {
+    return std::all_of(things.begin(), things.end(), [&](const auto& of) {
+      return !of.second.contains(place) || household.keeps(of.first, place, room);
+    });
+  };
+}
+
 BindingCheck fits_home(const RunConfiguration& configuration, const Resources& resources, const Template& source,
                        const Layout& layout, Grade least) {
   const Simulator simulator = layout.home.scene.simulator;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dataset/configuration.h"
+#include "generator/place_in_room.h"
 #include "generator/weighted_binding.h"
 #include "grounding/household.h"
 #include "resources/resources.h"
@@ -20,5 +21,9 @@ BindingCheck fits_home(const RunConfiguration& configuration, const Resources& r
 /// is in a room where people keep what goes into it: a goal that any sink meets asks for no plates in the bathroom's.
 /// What the home lacks is not looked at.
 bool all_sinks_suit(const Formula& goal, const Layout& layout, const Household& household);
+
+/// Whether people keep all things that the goal puts into a place of a category in such places of a type of room. The
+/// household must outlive it.
+RoomSuits rooms_for(const Formula& goal, const Household& household);
 
 }  // namespace unietp

@@ -9,6 +9,7 @@
 #include "dataset/candidate_number.h"
 #include "expert/mode_expert.h"
 #include "generator/fixed_start.h"
+#include "generator/place_in_room.h"
 #include "generator/propose.h"
 #include "generator/weighted_binding.h"
 #include "grounding/ground.h"
@@ -81,6 +82,9 @@ std::variant<Specification, Rejection> specify_once(const Template& source, cons
     specified = refine_linguistic(*plain, knowledge, layout.offer, asked.style, rng.fork("linguistic", 0));
     if (!specified) return Rejection{RejectionReason::NoWording, to_text(*binding)};
   }
+  if (asked.household != nullptr)
+    specified = with_places_in_rooms(*specified, knowledge, layout.offer, rooms_for(specified->goal, *asked.household),
+                                     rng.fork("rooms", 0));
   if (auto why = lacking(*specified, layout, knowledge)) return *why;
   if (asked.least > Grade::Senseless) {
     if (asked.household != nullptr && !all_sinks_suit(specified->goal, layout, *asked.household))
