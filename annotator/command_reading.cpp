@@ -92,7 +92,7 @@ Clause ClauseReader::reached() {
 
 Clause ClauseReader::moved() {
   Clause clause;
-  const bool each = words_.comes("each of the");
+  const bool each = words_.comes("each of the"), both = words_.comes("both");
   words_.set_results(true);
   if (!words_.both_again(clause.subjects)) clause.subjects = words_.phrases(clause.any_subject);
   words_.set_results(false);
@@ -101,7 +101,8 @@ Clause ClauseReader::moved() {
   placed(clause);
   for (const Complement& complement : clause.complements)
     if (complement.object.empty() || complement.negated) words_.fail("expected a place before this");
-  if (each && !words_.failed())  // "each of the mugs in a cabinet": not all in the same one
+  // "Each of the mugs in a cabinet", "both mugs in a cabinet or on a shelf": not all in the same one.
+  if ((each || (both && clause.any_complement)) && !words_.failed())
     for (Complement& complement : clause.complements) {
       NounPhrase& place = complement.object[0];
       const bool one = place.determiner == Determiner::New || place.determiner == Determiner::The;

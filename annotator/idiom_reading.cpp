@@ -70,6 +70,7 @@ Clause ClauseReader::one_on_each() {
   if (stays) {
     clause.kind = Clause::Kind::Compare;
     clause.subjects.push_back(clause.subjects[0]);
+    std::swap(clause.complements[0], clause.complements[1]);  // the one that moves is said last of equal numbers
     return clause;
   }
   clause.subjects[0].determiner = Determiner::Every;

@@ -58,6 +58,8 @@ class Landmarks {
           continue;
         // A landmark stays where it is: furniture, or what a thing of the task is set down beside.
         if (movable && other->movable != (relation == Predicate::NextTo)) continue;
+        // "Next to the kettle" says which, "next to a plum" does not.
+        if (other->movable && !offer_.now.states.empty() && number_of(offer_, row->receptacle) != 1) continue;
         rows.push_back(row);
         // "In the fridge" says where; "in one of the cupboards" hardly does.
         weights.push_back(row->likelihood / std::max(1, number_of(offer_, row->receptacle)));
