@@ -5,6 +5,7 @@
 
 #include "generator/fixed_start.h"
 #include "generator/goal_parts.h"
+#include "generator/place_in_room.h"
 #include "generator/specification.h"
 #include "generator/style_fit.h"
 #include "logic/evaluate.h"
@@ -177,6 +178,66 @@ TEST(RefineReferring, WhatCannotBeMovedIsReferredToOnlyAsTheHomeHasIt) {
   const auto refined = refine_referring(plain, knowledge, two, "by-room", Rng(1));
   ASSERT_TRUE(refined);
   EXPECT_EQ(referring(refined->goal)->domain.where.front().domain.members.size(), 1U);
+}
+
+/// Two tables in the kitchen and one in the living room.
+SceneOffer three_tables() {
+  auto offer = offer_with({"Table", "Table", "Table", "Mug"});
+  Facts& facts = offer.now.states[0];
+  for (const std::size_t in_kitchen : {2U, 3U, 5U}) facts.set(Predicate::InRoom, EntityIndex(in_kitchen), EntityIndex(0));
+  facts.set(Predicate::InRoom, EntityIndex(4), EntityIndex(1));
+  return offer;
+}
+
+constexpr auto kAnyRoom = [](const std::string&, const std::string&) { return true; };
+
+TEST(PlaceInRoom, IsThePlaceOfARoomThatSuitsAndRatherOneThatHasOne) {
+  const auto knowledge = small_home(Simulator::Ai2thor);
+  const auto plain = made("place-one-on", {{"A", "Mug"}, {"B", "Table"}});
+  const auto only_kitchen = [](const std::string&, const std::string& room) { return room == "Kitchen"; };
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    const auto any = with_places_in_rooms(plain, knowledge, three_tables(), kAnyRoom, Rng(seed));
+    EXPECT_NE(to_text(any.goal).find("(Table :where (exists (?p - LivingRoom) (in_room ?b ?p)))"), std::string::npos)
+        << to_text(any.goal);
+    const auto kitchen = with_places_in_rooms(plain, knowledge, three_tables(), only_kitchen, Rng(seed));
+    EXPECT_NE(to_text(kitchen.goal).find("(Table :where (exists (?p - Kitchen)"), std::string::npos);
+    EXPECT_TRUE(std::any_of(kitchen.init.begin(), kitchen.init.end(), [](const Formula& start) {
+      return to_text(start) == "(count = 1 (?p - Kitchen) (and))";
+    }));
+    EXPECT_EQ(kitchen.split, plain.split);
+    EXPECT_EQ(kitchen.refinement, plain.refinement);
+  }
+}
+
+TEST(PlaceInRoom, IsNotAddedWhereItSaysNothingOrSuitsNothing) {
+  const auto knowledge = small_home(Simulator::Ai2thor);
+  const auto plain = made("place-one-on", {{"A", "Mug"}, {"B", "Table"}});
+  const auto no_room = [](const std::string&, const std::string&) { return false; };
+  EXPECT_EQ(with_places_in_rooms(plain, knowledge, three_tables(), no_room, Rng(1)).goal, plain.goal);
+  EXPECT_EQ(with_places_in_rooms(plain, knowledge, SceneOffer(), kAnyRoom, Rng(1)).goal, plain.goal);
+  auto together = three_tables();  // all three in the kitchen
+  together.now.states[0] = offer_with({"Table", "Table", "Table", "Mug"}).now.states[0];
+  for (const std::size_t table : {2U, 3U, 4U})
+    together.now.states[0].set(Predicate::InRoom, EntityIndex(table), EntityIndex(0));
+  EXPECT_EQ(with_places_in_rooms(plain, knowledge, together, kAnyRoom, Rng(1)).goal, plain.goal);
+  auto by_room = plain;
+  by_room.refinement = Referring::ByRoom;
+  EXPECT_EQ(with_places_in_rooms(by_room, knowledge, three_tables(), kAnyRoom, Rng(1)).goal, plain.goal);
+}
+
+TEST(PlaceInRoom, IsFoundAgainInTheGoal) {
+  const auto knowledge = small_home(Simulator::Ai2thor);
+  const auto plain = made("place-one-on", {{"A", "Mug"}, {"B", "Table"}});
+  const auto named = with_places_in_rooms(plain, knowledge, three_tables(), kAnyRoom, Rng(1));
+  const auto places = places_in_rooms(named.goal, Referring::None, plain.goal, knowledge);
+  ASSERT_EQ(places.size(), 1U);
+  EXPECT_EQ(places[0].variable, "b");
+  const auto again = with_place_in_room(plain, places[0]);
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->goal, named.goal);
+  EXPECT_EQ(again->init, named.init);
+  EXPECT_TRUE(places_in_rooms(named.goal, Referring::ByRoom, plain.goal, knowledge).empty()) << "it is the reference";
+  EXPECT_TRUE(places_in_rooms(plain.goal, Referring::None, plain.goal, knowledge).empty());
 }
 
 TEST(Misfit, IsWhatFurnitureAndRoomsLackNotWhatAnEditOfTheStartGives) {
