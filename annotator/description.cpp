@@ -103,7 +103,8 @@ std::optional<Naming::Description> Naming::describe(const NounPhrase& said, Plac
     }
     const auto text = complement(*modifier, inside);
     if (!text) return std::nullopt;
-    const bool stands = everyday() && !place.exact && modifier->predicate == Predicate::InRoom && !is_carried(said.noun);
+    const bool stands =
+        everyday() && !place.exact && modifier->predicate == Predicate::InRoom && !is_carried(said.noun);
     const bool direct = rest.size() == 1 && (is_direct(*modifier, place) || (stands && !modifier->negated));
     if (direct && (everyday() || modifier->predicate == Predicate::Nearest || rng_.chance(0.7))) {
       description.directly = " " + *text;

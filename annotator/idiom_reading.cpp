@@ -52,8 +52,8 @@ Clause ClauseReader::swapped() {
   return both;
 }
 
-/// "put one of the mugs on the desk and the other one on the shelf": there are two, and one is on each. "… and leave the
-/// other one on the shelf" says so by equal numbers.
+/// "put one of the mugs on the desk and the other one on the shelf": there are two, and one is on each. "… and leave
+/// the other one on the shelf" says so by equal numbers.
 Clause ClauseReader::one_on_each() {
   Clause clause;
   clause.subjects.push_back(words_.bare_noun());
@@ -130,7 +130,9 @@ void ClauseReader::at_the_same_place(Clause& clause) {
 Clause ClauseReader::poured() {
   Clause clause;
   clause.poured = true;
+  words_.set_bare_rooms(true);
   clause.subjects.push_back(words_.phrase());
+  words_.set_bare_rooms(false);
   clause.complements.push_back({P::Filled, false, "", {}});
   return clause;
 }
@@ -215,9 +217,9 @@ Clause ClauseReader::remaining() {
 }
 
 bool ClauseReader::left_alone(Clause& clause) {
-  const int others = words_.accept_one({"do not open any of the others", "leave the others closed",
-                                        "do not open the other one", "leave the other one closed",
-                                        "don't touch the others", "don't touch the other one"});
+  const int others =
+      words_.accept_one({"do not open any of the others", "leave the others closed", "do not open the other one",
+                         "leave the other one closed", "don't touch the others", "don't touch the other one"});
   if (others >= 0) {
     NounPhrase rest = words_.last_noun();
     rest.determiner = Determiner::Every;

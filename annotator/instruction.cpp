@@ -258,6 +258,7 @@ class Writer {
       if (style == Style::Request || draw == kFreeDraws) text = request_for(specification_.goal, nouns_, own);
       if (style == Style::Request && !text) return std::nullopt;
       if (!text) {
+        if (exactly && !options_.spells_out) return std::nullopt;
         auto plan =
             plan_message(exactly ? specification_.goal : judge_.plain_goal(), specification_.init,
                          {chooses(draw, style), style == Style::Condition, is_everyday(), exactly, judge_.counts()},

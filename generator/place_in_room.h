@@ -22,11 +22,11 @@ struct PlaceInRoom {
 /// Whether furniture of a category that stands in a type of room suits what the goal asks for.
 using RoomSuits = std::function<bool(const std::string& category, const std::string& room)>;
 
-/// The specification with a room for every place that the home has in that room and in others, since nobody wants coffee
-/// on just any of seven side tables. Of the rooms of which the home has one and that suit, those come first in which
-/// one such place stands. Places of which nothing suits, and those of a goal that refers by rooms already, stay as they
-/// are, and so does everything where nothing is known of the home. Split, style and refinement stay. Deterministic in
-/// rng.
+/// The specification with a room for every place that the home has in that room and in others, since nobody wants
+/// coffee on just any of seven side tables. Of the rooms of which the home has one and that suit, those come first in
+/// which one such place stands. Places of which nothing suits, and those of a goal that refers by rooms already, stay
+/// as they are, and so does everything where nothing is known of the home. Split, style and refinement stay.
+/// Deterministic in rng.
 Specification with_places_in_rooms(const Specification& plain, const Knowledge& knowledge, const SceneOffer& offer,
                                    const RoomSuits& suits, const Rng& rng);
 

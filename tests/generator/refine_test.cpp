@@ -184,7 +184,8 @@ TEST(RefineReferring, WhatCannotBeMovedIsReferredToOnlyAsTheHomeHasIt) {
 SceneOffer three_tables() {
   auto offer = offer_with({"Table", "Table", "Table", "Mug"});
   Facts& facts = offer.now.states[0];
-  for (const std::size_t in_kitchen : {2U, 3U, 5U}) facts.set(Predicate::InRoom, EntityIndex(in_kitchen), EntityIndex(0));
+  for (const std::size_t in_kitchen : {2U, 3U, 5U})
+    facts.set(Predicate::InRoom, EntityIndex(in_kitchen), EntityIndex(0));
   facts.set(Predicate::InRoom, EntityIndex(4), EntityIndex(1));
   return offer;
 }
@@ -201,9 +202,8 @@ TEST(PlaceInRoom, IsThePlaceOfARoomThatSuitsAndRatherOneThatHasOne) {
         << to_text(any.goal);
     const auto kitchen = with_places_in_rooms(plain, knowledge, three_tables(), only_kitchen, Rng(seed));
     EXPECT_NE(to_text(kitchen.goal).find("(Table :where (exists (?p - Kitchen)"), std::string::npos);
-    EXPECT_TRUE(std::any_of(kitchen.init.begin(), kitchen.init.end(), [](const Formula& start) {
-      return to_text(start) == "(count = 1 (?p - Kitchen) (and))";
-    }));
+    EXPECT_TRUE(std::any_of(kitchen.init.begin(), kitchen.init.end(),
+                            [](const Formula& start) { return to_text(start) == "(count = 1 (?p - Kitchen) (and))"; }));
     EXPECT_EQ(kitchen.split, plain.split);
     EXPECT_EQ(kitchen.refinement, plain.refinement);
   }
