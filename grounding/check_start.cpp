@@ -4,6 +4,7 @@
 
 #include "generator/goal_parts.h"
 #include "grounding/check_goal.h"
+#include "grounding/check_looks.h"
 #include "grounding/goal_places.h"
 #include "grounding/reach.h"
 #include "logic/evaluate.h"
@@ -184,6 +185,7 @@ std::optional<GroundingFailure> check_start(const Specification& specification, 
     return problem;
   if (const auto room = reach.unreached())
     return GroundingFailure{RejectionReason::NotReachable, *room + " cannot be walked to any more", *room};
+  if (auto problem = check_looks(specification, start, grown.places, trace)) return problem;
   return check_calm(start, grown.places, touched, grown.physics);  // costs most, and seldom finds something
 }
 

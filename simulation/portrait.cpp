@@ -4,12 +4,13 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "akb/default_states.h"
 
 namespace unietp {
 
-Picture portrait_of(const Node& object, const Profile& profile, const PortraitOptions& options) {
+Portrait portrait_scene(const Node& object, const Profile& profile, const PortraitOptions& options) {
   constexpr double kRoom_m = 60, kTable_m = 0.75, kFov_deg = 36, kAround = 1.08;
   Scene scene;
   scene.simulator = profile.simulator;
@@ -39,8 +40,13 @@ Picture portrait_of(const Node& object, const Profile& profile, const PortraitOp
   scene.agent.yaw = std::atan2(-aside.y(), -aside.x());
   scene.agent.pitch = options.down_rad;
   camera.camera_height_m = shown.pose.position.z() + away * std::sin(options.down_rad);
+  return {std::move(scene), std::move(camera)};
+}
+
+Picture portrait_of(const Node& object, const Profile& profile, const PortraitOptions& options) {
+  const Portrait portrait = portrait_scene(object, profile, options);
   Rays rays;
-  return picture_of(scene, camera, rays);
+  return picture_of(portrait.scene, portrait.camera, rays);
 }
 
 Node object_of(const Knowledge& knowledge, const Category& category, std::uint32_t seed) {

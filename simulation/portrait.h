@@ -16,6 +16,13 @@ struct PortraitOptions {
   bool on_table = true;  // otherwise it stands on the floor of a room
 };
 
+/// What a portrait is a picture of: the object, which is the last node of the scene.
+struct Portrait {
+  Scene scene;
+  Profile camera;
+};
+Portrait portrait_scene(const Node& object, const Profile& profile, const PortraitOptions& options);
+
 /// An object alone, as large as it fits, as the agent's camera shows it. Its place is not used. Deterministic.
 Picture portrait_of(const Node& object, const Profile& profile, const PortraitOptions& options);
 

@@ -1,0 +1,68 @@
+#include "grounding/check_looks.h"
+
+#include <algorithm>
+
+#include "grounding/goal_places.h"
+#include "logic/evaluate.h"
+#include "simulation/contrast.h"
+
+namespace unietp {
+namespace {
+
+using Op = Formula::Op;
+
+void add_predicates(const Formula& formula, std::vector<Predicate>& predicates) {
+  if (formula.op == Op::Atom) predicates.push_back(formula.predicate);
+  for (const Formula& child : formula.children) add_predicates(child, predicates);
+}
+
+/// Which of the pairs of a thing that is meant and one that is not looks alike by what the words say of them.
+std::optional<std::string> alike(const std::vector<const Node*>& meant, const std::vector<const Node*>& others,
+                                 const std::vector<Predicate>& predicates, Simulator simulator) {
+  std::vector<std::pair<Node, Node>> seen;  // pairs that are told apart
+  for (const Node* one : meant) {
+    for (const Node* other : others) {
+      for (const Predicate predicate : predicates) {
+        Node shown = *one;
+        shown.id = shown.category;  // what two things of a category differ in besides is not what the words say
+        shown.pose = Pose{};
+        const auto changed = with_look_of(shown, *other, predicate);
+        if (!changed || std::find(seen.begin(), seen.end(), std::pair(shown, *changed)) != seen.end()) continue;
+        if (!told_apart(contrast_of(shown, *changed, simulator)))
+          return one->id + " and " + other->id + " by " + std::string(info(predicate).name);
+        seen.emplace_back(std::move(shown), *changed);
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<GroundingFailure> check_looks(const Specification& specification, const Scene& start,
+                                            const NodeIndex& places, const Trace& trace) {
+  if (specification.split != Split::InstanceGrounding && specification.refinement == Referring::None)
+    return std::nullopt;
+  for (const QuantifiedDomain& one : quantified_domains(specification.goal)) {
+    if (one.domain.where.empty()) continue;
+    const Formula& where = one.domain.where.front();
+    if (free_variables(where) != std::vector<std::string>{one.variable}) continue;
+    std::vector<Predicate> predicates;
+    add_predicates(where, predicates);
+    Domain all = one.domain;
+    all.where.clear();
+    const auto referents = members_of(one.domain, one.variable, trace);
+    std::vector<const Node*> meant, others;
+    for (const EntityIndex entity : members_of(all, one.variable, trace)) {
+      const auto place = places.find(trace.entities[entity].id);
+      if (!place) continue;
+      const bool is_meant = std::find(referents.begin(), referents.end(), entity) != referents.end();
+      (is_meant ? meant : others).push_back(&start.nodes[*place]);
+    }
+    if (const auto pair = alike(meant, others, predicates, specification.simulator))
+      return GroundingFailure{RejectionReason::LooksAlike, "pictures do not tell " + *pair, {}};
+  }
+  return std::nullopt;
+}
+
+}  // namespace unietp
