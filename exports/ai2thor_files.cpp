@@ -181,7 +181,13 @@ Result<std::string> write_ai2thor_files(const ExportRequest& request) {
 }  // namespace
 
 ExportFormat ai2thor_format() {
-  return {"ai2thor", "AI2-THOR's houses, controller calls and goals on its metadata", {}, true, write_ai2thor_files};
+  return {"ai2thor",
+          "AI2-THOR's houses, controller calls and goals on its metadata",
+          {},
+          true,
+          write_ai2thor_files,
+          true,
+          Simulator::Ai2thor};
 }
 
 }  // namespace unietp

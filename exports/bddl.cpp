@@ -3,23 +3,38 @@
 #include <algorithm>
 #include <set>
 
+#include "exports/bddl_goal.h"
+
 namespace unietp {
 namespace {
 
-constexpr const char* kAgent = "agent.n.01";
 constexpr const char* kFloor = "floor.n.01";
 
 std::string numbered(const std::string& synset, std::size_t number) { return synset + "_" + std::to_string(number); }
+std::string synset_of(const std::string& name) { return name.substr(0, name.rfind('_')); }
 
-/// Names of all objects that have a synset: the synset and a running number.
-std::map<std::string, std::string> names_of(const Scene& start, const BddlSynsets& synsets) {
+/// Names of all objects that have a synset: the synset and a running number. Halves of what can be cut come after them.
+BddlNames names_of(const Scene& start, const std::map<std::string, Halves>& halves, const BddlSynsets& synsets) {
   std::map<std::string, std::size_t> counts;
-  std::map<std::string, std::string> names;
+  BddlNames names;
+  const auto name = [&](const std::string& id, const std::string& category) {
+    const auto synset = synsets.find(category);
+    if (synset != synsets.end()) names[id] = numbered(synset->second, ++counts[synset->second]);
+  };
+  for (const Node& node : start.nodes) name(node.id, node.category);
   for (const Node& node : start.nodes) {
-    const auto synset = synsets.find(node.category);
-    if (synset != synsets.end()) names[node.id] = numbered(synset->second, ++counts[synset->second]);
+    const auto its = halves.find(node.id);
+    if (its == halves.end()) continue;
+    name(its->second.first, its->second.category);
+    name(its->second.second, its->second.category);
   }
   return names;
+}
+
+BddlNames floors_of(const Scene& start) {
+  BddlNames floors;
+  for (const Room& room : start.rooms) floors[room.id] = numbered(kFloor, floors.size() + 1);
+  return floors;
 }
 
 /// What an object rests on or in, and the floor that it stands on.
@@ -38,20 +53,25 @@ RestingPlace rest_of(const Scene& start, const std::string& id) {
   return rest;
 }
 
-class BddlProblem {
+class ProblemWriter {
  public:
-  BddlProblem(const Scene& start, const std::map<std::string, std::string>& names) : start_(start), names_(names) {}
+  ProblemWriter(const Scene& start, const BddlNames& names, const BddlNames& floors, const BddlWords& words,
+                std::set<std::string> liquids)
+      : start_(start), names_(names), floors_(floors), words_(words), liquids_(std::move(liquids)) {}
 
   /// An object with what it rests on or in. Errors: as bddl_problem.
   Result<Done> take(const std::string& id) {
     if (taken_.contains(id)) return Done{};
     const auto name = names_.find(id);
     if (name == names_.end()) return Error{Error::Kind::Unsatisfiable, "", {}, "the support " + id + " has no synset"};
-    taken_.insert(id);
+    taken_[id] = name->second;
     const Node& node = *find_node(start_, id);
     for (const State& state : node.states.all()) {
-      const auto word = bddl_state(state.predicate);
-      if (word && !word->negated) fact(std::string(word->name) + " " + name->second);
+      std::set<std::string> substances;
+      const std::string literal = bddl_state(state, name->second, words_, liquids_, substances);
+      if (literal.empty() || literal.starts_with("(not ") || literal.starts_with("(and ")) continue;
+      facts_.insert(literal);
+      substances_.insert(substances.begin(), substances.end());
     }
     if (!node.movable) {
       if (const Room* room = room_at(start_, node.pose.position.head<2>()))
@@ -70,18 +90,38 @@ class BddlProblem {
     return Done{};
   }
 
+  /// What the thing becomes when it is cut.
+  void take_halves(const std::string& whole, const Halves& halves) {
+    for (const auto& [number, half] : {std::pair{"/1", halves.first}, {"/2", halves.second}}) {
+      taken_[whole + number] = names_.at(half);
+      fact("future " + names_.at(half));
+    }
+  }
+  void take_substances(const std::set<std::string>& synsets) { substances_.insert(synsets.begin(), synsets.end()); }
+  std::string floor(const std::string& room) {
+    if (used_floors_.emplace(room, floors_.at(room)).second)
+      fact("inroom " + floors_.at(room) + " " + find_room(start_, room)->type);
+    return floors_.at(room);
+  }
+
+  /// Objects, halves and floors that the problem has so far.
+  BddlNames declared() const {
+    BddlNames all = taken_;
+    all.insert(used_floors_.begin(), used_floors_.end());
+    return all;
+  }
+
   std::string text(const std::string& name, const std::string& goal) {
     const Room* room = room_at(start_, start_.agent.position);
-    if (room != nullptr) fact("ontop " + numbered(kAgent, 1) + " " + floor(room->id));
+    if (room != nullptr) fact(std::string("ontop ") + kBddlAgent + " " + floor(room->id));
     std::map<std::string, std::vector<std::string>> by_synset;
     std::string comments;
-    for (const auto& id : taken_) {
-      const std::string& own = names_.at(id);
-      by_synset[own.substr(0, own.rfind('_'))].push_back(own);
+    for (const auto& [id, own] : declared()) {
+      by_synset[synset_of(own)].push_back(own);
       comments += "; " + own + ": " + id + "\n";
     }
-    for (const auto& [id, own] : floors_) by_synset[kFloor].push_back(own);
-    by_synset[kAgent].push_back(numbered(kAgent, 1));
+    for (const auto& synset : substances_) by_synset[synset].push_back(numbered(synset, 1));
+    by_synset[synset_of(kBddlAgent)].emplace_back(kBddlAgent);
     std::string problem = comments + "(define (problem " + name + ")\n  (:domain omnigibson)\n  (:objects\n";
     for (const auto& [synset, objects] : by_synset) {
       problem += "   ";
@@ -89,42 +129,51 @@ class BddlProblem {
       problem += " - " + synset + "\n";
     }
     problem += "  )\n  (:init\n";
-    for (const auto& fact : facts_) problem += "    (" + fact + ")\n";
+    for (const auto& fact : facts_) problem += "    " + fact + "\n";
     return problem + "  )\n  (:goal\n    " + goal + "\n  )\n)\n";
   }
 
  private:
-  void fact(const std::string& text) { facts_.insert(text); }
-  std::string floor(const std::string& room) {
-    const auto [place, is_new] = floors_.emplace(room, "");
-    if (is_new) {
-      place->second = numbered(kFloor, floors_.size());
-      fact("inroom " + place->second + " " + find_room(start_, room)->type);
-    }
-    return place->second;
-  }
+  void fact(const std::string& text) { facts_.insert("(" + text + ")"); }
 
   const Scene& start_;
-  const std::map<std::string, std::string>& names_;
-  std::set<std::string> taken_, facts_;
-  std::map<std::string, std::string> floors_;  // by room
+  const BddlNames& names_;
+  const BddlNames& floors_;
+  const BddlWords& words_;
+  const std::set<std::string> liquids_;
+  BddlNames taken_;
+  std::set<std::string> facts_, substances_;
+  BddlNames used_floors_;  // by room
 };
 
 }  // namespace
 
-Result<std::string> bddl_problem(const std::string& name, const Formula& goal, const Scene& start,
-                                 const Knowledge& knowledge, const BddlSynsets& synsets) {
+Result<BddlProblem> bddl_problem(const FinishedTask& task, const Knowledge& knowledge, const BddlWords& words) {
+  const Scene& start = task.start;
   if (start.simulator != Simulator::Behavior)
-    return Error{Error::Kind::Unsatisfiable, "", {}, "BDDL problems are for BEHAVIOR only"};
-  const auto names = names_of(start, synsets);
-  const auto said = bddl_goal(goal, start, knowledge, synsets, names);
-  if (!said) return said.error();
-  BddlProblem problem(start, names);
+    return Error{Error::Kind::Unsatisfiable, "", {}, "not a task of BEHAVIOR"};
+  const auto halves = halved_trace(task, knowledge).halves;
+  const BddlNames names = names_of(start, halves, words.categories), floors = floors_of(start);
+  auto goal = behavior_goal(task, knowledge, words, names, floors);
+  if (!goal) return goal.error();
+  const auto quantified = bddl_goal(task.record.goal_tree, start, knowledge, words, names);
+  ProblemWriter problem(start, names, floors, words, liquids_of(start, knowledge));
   for (const Node& node : start.nodes) {
-    if (!std::binary_search(said->categories.begin(), said->categories.end(), node.category)) continue;
+    const bool ranged_over =
+        quantified && std::binary_search(quantified->categories.begin(), quantified->categories.end(), node.category);
+    if (!ranged_over && !goal->objects.contains(node.id)) continue;
     if (auto taken = problem.take(node.id); !taken) return taken.error();
+    if (const auto its = halves.find(node.id); its != halves.end()) problem.take_halves(node.id, its->second);
   }
-  return problem.text(name, said->text);
+  for (const std::string& room : goal->floors) (void)problem.floor(room);
+  problem.take_substances(goal->substances);
+  if (quantified) problem.take_substances(quantified->substances);
+  BddlProblem made;
+  made.text = problem.text(task.record.id, quantified ? quantified->text : goal->last);
+  made.names = problem.declared();
+  made.decides = quantified || goal->last_decides;
+  made.goal = std::move(*goal);
+  return made;
 }
 
 }  // namespace unietp

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <set>
 
-#include "akb/csv.h"
-#include "core/files.h"
 #include "core/text.h"
 #include "logic/evaluate.h"
 #include "scene/trace.h"
@@ -16,14 +14,14 @@ using Op = Formula::Op;
 
 class Translator {
  public:
-  Translator(const Scene& start, const Knowledge& knowledge, const BddlSynsets& synsets,
+  Translator(const Scene& start, const Knowledge& knowledge, const BddlWords& words,
              const std::map<std::string, std::string>& names)
-      : start_(start), knowledge_(knowledge), synsets_(synsets), names_(names) {}
+      : start_(start), knowledge_(knowledge), words_(words), liquids_(liquids_of(start, knowledge)), names_(names) {}
 
   Result<BddlGoal> run(const Formula& goal) {
     const std::string text = node(goal);
     if (!why_.empty()) return Error{Error::Kind::Unsatisfiable, "", {}, why_};
-    return BddlGoal{text, {categories_.begin(), categories_.end()}};
+    return BddlGoal{text, {categories_.begin(), categories_.end()}, substances_};
   }
 
  private:
@@ -84,15 +82,16 @@ class Translator {
     const auto& member = f.domain.members[0];
     if (knowledge_.find(member.category) == nullptr) return refuse("rooms are not objects in BDDL");
     if (member.slice) return refuse("slices that do not exist at the start");
-    const auto synset = synsets_.find(member.category);
-    if (synset == synsets_.end()) return refuse(member.category + " has no synset");
+    const auto synset = words_.categories.find(member.category);
+    if (synset == words_.categories.end()) return refuse(member.category + " has no synset");
     bool alone = true;  // the synset is no more than the category here
     for (const Node& other : start_.nodes) {
       for (const Effect* cut : knowledge_.effects_on(other.category, Treatment::Slices)) {
         if (cut->gives == member.category) return refuse("slices that do not exist at the start");
       }
-      const auto its = synsets_.find(other.category);
-      alone = alone && (other.category == member.category || its == synsets_.end() || its->second != synset->second);
+      const auto its = words_.categories.find(other.category);
+      alone = alone &&
+              (other.category == member.category || its == words_.categories.end() || its->second != synset->second);
     }
     categories_.insert(member.category);
     if (!f.domain.where.empty() || !alone) return over_named(f);
@@ -141,9 +140,10 @@ class Translator {
     const std::string word(info(f.predicate).name);
     if (f.terms[0].kind == Term::Kind::Agent) return refuse("BDDL cannot express where the agent is");
     const std::string first = values_[f.terms[0].name];
-    if (const auto state = bddl_state(f.predicate)) {
-      const std::string literal = "(" + std::string(state->name) + " " + first + ")";
-      return state->negated ? "(not " + literal + ")" : literal;
+    if (f.terms.size() == 1 || f.terms[1].kind == Term::Kind::Symbol) {
+      const State state{f.predicate, f.terms.size() == 1 ? "" : f.terms[1].name};
+      const std::string text = bddl_state(state, first, words_, liquids_, substances_);
+      return text.empty() ? refuse("BDDL cannot express `" + word + "`") : text;
     }
     const auto relation = bddl_relation(f.predicate);
     if (relation.empty()) return refuse("BDDL cannot express `" + word + "`");
@@ -152,75 +152,20 @@ class Translator {
 
   const Scene& start_;
   const Knowledge& knowledge_;
-  const BddlSynsets& synsets_;
+  const BddlWords& words_;
+  const std::set<std::string> liquids_;
   const std::map<std::string, std::string>& names_;
   std::map<std::string, std::string> values_;  // of bound variables
-  std::set<std::string> categories_;
+  std::set<std::string> categories_, substances_;
   bool at_end_ = false;
   std::string why_;  // the first reason
 };
 
 }  // namespace
 
-std::optional<BddlState> bddl_state(Predicate predicate) {
-  switch (predicate) {
-    case Predicate::Open:
-      return BddlState{"open"};
-    case Predicate::Closed:
-      return BddlState{"open", true};
-    case Predicate::PowerOn:
-      return BddlState{"toggled_on"};
-    case Predicate::PowerOff:
-      return BddlState{"toggled_on", true};
-    case Predicate::Hot:
-      return BddlState{"hot"};
-    case Predicate::Cooked:
-      return BddlState{"cooked"};
-    case Predicate::Raw:
-      return BddlState{"cooked", true};
-    case Predicate::Frozen:
-      return BddlState{"frozen"};
-    case Predicate::Thawed:
-      return BddlState{"frozen", true};
-    case Predicate::Folded:
-      return BddlState{"folded"};
-    case Predicate::Unfolded:
-      return BddlState{"unfolded"};
-    default:
-      return std::nullopt;
-  }
-}
-
-std::string_view bddl_relation(Predicate predicate) {
-  switch (predicate) {
-    case Predicate::On:
-      return "ontop";
-    case Predicate::Inside:
-      return "inside";
-    case Predicate::NextTo:
-      return "nextto";
-    case Predicate::Under:
-      return "under";
-    default:
-      return "";
-  }
-}
-
-Result<BddlSynsets> read_bddl_synsets(const std::filesystem::path& file) {
-  const auto text = read_file(file);
-  if (!text) return text.error();
-  const CsvFile table = read_csv(file.string(), *text);
-  if (!table.errors.empty()) return table.errors.front();
-  if (table.header.size() < 2 || table.header[0].text != "category" || table.header[1].text != "synset")
-    return Error{Error::Kind::Schema, file.string(), {1, 1}, "expected the columns category and synset"};
-  BddlSynsets synsets;
-  for (const CsvRow& row : table.rows) synsets[row[0].text] = row[1].text;
-  return synsets;
-}
-
-Result<BddlGoal> bddl_goal(const Formula& goal, const Scene& start, const Knowledge& knowledge,
-                           const BddlSynsets& synsets, const std::map<std::string, std::string>& names) {
-  return Translator(start, knowledge, synsets, names).run(goal);
+Result<BddlGoal> bddl_goal(const Formula& goal, const Scene& start, const Knowledge& knowledge, const BddlWords& words,
+                           const std::map<std::string, std::string>& names) {
+  return Translator(start, knowledge, words, names).run(goal);
 }
 
 }  // namespace unietp

@@ -2,11 +2,13 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/result.h"
+#include "scene/simulator.h"
 #include "validator/validation_options.h"
 
 namespace unietp {
@@ -46,6 +48,8 @@ struct ExportFormat {
   /// Writes the data set and returns a summary for the user, lines without the last line break. Deterministic.
   /// Errors: those of reading the data set; Io; Usage for an `out` that exists or a value that does not fit.
   Result<std::string> (*write)(const ExportRequest& request) = nullptr;
+  bool is_form = false;                // tasks for programs of others, of which it may leave some out (`forms` asks it)
+  std::optional<Simulator> only = {};  // the simulator whose tasks it writes; nullopt: all
 };
 
 /// Every format, in the order in which help lists them.

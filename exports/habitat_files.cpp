@@ -74,7 +74,13 @@ Result<std::string> write_habitat_files(const ExportRequest& request) {
 }  // namespace
 
 ExportFormat habitat_format() {
-  return {"habitat", "Habitat's scenes and habitat-lab's episodes, with models", {}, true, write_habitat_files};
+  return {"habitat",
+          "Habitat's scenes and habitat-lab's episodes, with models",
+          {},
+          true,
+          write_habitat_files,
+          true,
+          Simulator::Habitat};
 }
 
 }  // namespace unietp

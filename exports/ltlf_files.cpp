@@ -95,7 +95,7 @@ Result<std::string> write_ltlf(const ExportRequest& request) {
 }  // namespace
 
 ExportFormat ltlf_format() {
-  return {"ltlf", "goals as LTLf formulas with traces, for planners and rewards", {}, true, write_ltlf};
+  return {"ltlf", "goals as LTLf formulas with traces, for planners and rewards", {}, true, write_ltlf, true};
 }
 
 }  // namespace unietp

@@ -95,7 +95,7 @@ Result<std::string> write_pddl(const ExportRequest& request) {
 }  // namespace
 
 ExportFormat pddl_format() {
-  return {"pddl", "a PDDL domain per simulator, and a problem and a plan per task", {}, true, write_pddl};
+  return {"pddl", "a PDDL domain per simulator, and a problem and a plan per task", {}, true, write_pddl, true};
 }
 
 }  // namespace unietp

@@ -101,7 +101,7 @@ Result<std::string> write_release(const ExportRequest& request) {
 }  // namespace
 
 ExportFormat release_format() {
-  return {"unietp-release", "the JSON format of the UniETP paper's release", {}, true, write_release};
+  return {"unietp-release", "the JSON format of the UniETP paper's release", {}, true, write_release, true};
 }
 
 }  // namespace unietp

@@ -39,7 +39,9 @@ Result<std::string> write_virtualhome_files(const ExportRequest& request) {
 }  // namespace
 
 ExportFormat virtualhome_format() {
-  return {"virtualhome", "VirtualHome's environment graphs and programs", {}, true, write_virtualhome_files};
+  return {
+      "virtualhome",         "VirtualHome's environment graphs and programs", {}, true, write_virtualhome_files, true,
+      Simulator::Virtualhome};
 }
 
 }  // namespace unietp

@@ -1,13 +1,17 @@
-"""BEHAVIOR's own package `bddl` on the BDDL problems of a data set, for `checks/judges bddl`.
+"""BEHAVIOR's own package `bddl` on the activities of a data set, for `checks/judges bddl`.
 
-It must parse each problem, and its evaluation of the goal must agree with ours at the start and after each step of the
-demonstration in M1. The atoms come from our scene graphs: the relations and states of the objects that a problem names. The
-trivial backend of `bddl` 3.6.0 is not used, because it has two classes of one name and so looks up `hot` as `on_fire`.
+It must parse each problem, and its evaluation must agree with ours at the start and after each step of the demonstration in M1:
+of the problem's goal where the last state decides the task's goal, and otherwise of each proposition, with the formula over them
+read here; then the problem's goal must follow from the task's. The atoms come from our scene graphs: the relations and states of
+the objects that a problem names. The trivial backend of `bddl` 3.6.0 is not used, because it has two classes of one name and so
+looks up `hot` as `on_fire`.
 
 Exit code 1: a problem was not parsed, or a goal was judged otherwise.
 """
 
 import argparse
+import csv
+import json
 import re
 from dataclasses import dataclass
 from pathlib import Path
@@ -21,23 +25,47 @@ from report import finish
 
 STATES = {"open": "open", "power_on": "toggled_on", "hot": "hot", "cooked": "cooked", "frozen": "frozen"}
 STATES |= {"folded": "folded", "unfolded": "unfolded"}
-RELATIONS = {"on": "ontop", "inside": "inside", "next_to": "nextto", "under": "under"}
+COATS = {"dirty": ("covered", "stain"), "soaked": ("saturated", "water")}
+UNARY = {*STATES.values(), "real", "future"}
+RELATIONS = {"on": "ontop", "inside": "inside", "next_to": "nextto", "under": "under", "attached": "attached", "on_floor": "ontop"}
 NAMES = re.compile(r"^; (\S+\.n\.\d+_\d+): (\S+)$", re.MULTILINE)  # "; platter.n.01_1: platter_80"
+SUBSTANCE = re.compile(r"(filled|covered)\((.+)\)")
+AGENT = "agent.n.01_1"
 
 
-def literals(scene, names):
-    """What holds in a scene graph of the objects in `names` (ours: BDDL's), as tuples of BDDL's words."""
-    states = {
-        (STATES[state], names[node["id"]])
-        for node in scene["nodes"]
-        if node["id"] in names
-        for state in node["states"]
-        if state in STATES
-    }
-    return states | {
-        (RELATIONS[edge["relation"]], names[edge["from"]], names[edge["to"]])
+def substances():
+    """The object of a problem that is a substance of ours."""
+    table = Path(__file__).parents[2] / "data" / "bddl" / "substances.csv"
+    with table.open(newline="") as rows:
+        return {row["substance"]: row["synset"] + "_1" for row in csv.DictReader(rows)}
+
+
+def literals(scene, names, synsets):
+    """What holds in a scene graph of the objects in `names` (ours: BDDL's), as tuples of BDDL's words. Where the problem has
+    halves of a thing, one that is cut is no longer there: the first half is what remains of it, the second the piece."""
+    here = {room["id"]: names[room["id"]] for room in scene["rooms"] if room["id"] in names}
+    for node in scene["nodes"]:
+        cut = "sliced" in node["states"] and node["id"] + "/1" in names
+        own = node["id"] + "/1" if cut else node["id"] if node["id"] in names else f"{node.get('slice_of')}/2"
+        if own in names:
+            here[node["id"]] = names[own]
+    facts = {("real", name) for name in here.values()}
+    facts |= {("future", name) for name in names.values() if ("real", name) not in facts}
+    for node in scene["nodes"]:
+        name = here.get(node["id"])
+        for state in node["states"] if name else ():
+            if state in STATES:
+                facts.add((STATES[state], name))
+            if state in COATS:
+                facts.add((COATS[state][0], name, synsets[COATS[state][1]]))
+            if found := SUBSTANCE.fullmatch(state):
+                word, substance = found[1], synsets.get(found[2], found[2])
+                facts |= {(one, name, substance) for one in (["filled", "contains"] if word == "filled" else [word])}
+    facts |= {("grasped", AGENT, here[thing]) for thing in scene["agent"].get("held", []) if thing in here}
+    return facts | {
+        (RELATIONS[edge["relation"]], here[edge["from"]], here[edge["to"]])
         for edge in scene["edges"]
-        if edge["relation"] in RELATIONS and edge["from"] in names and edge["to"] in names
+        if edge["relation"] in RELATIONS and edge["from"] in here and edge["to"] in here
     }
 
 
@@ -50,7 +78,7 @@ class Facts(BDDLBackend):
     def get_predicate_class(self, name):
         facts = self
 
-        class Predicate(UnaryAtomicFormula if name in STATES.values() else BinaryAtomicFormula):
+        class Predicate(UnaryAtomicFormula if name in UNARY else BinaryAtomicFormula):
             STATE_NAME = name
 
             def _evaluate(self, *objects):
@@ -67,57 +95,119 @@ class Thing:
     name: str
 
 
-def compiled_goal(text):
-    """The compiled goal of a problem's text, and the facts that it looks at."""
+def compiled_goal(text, facts):
+    """The compiled goal of a problem's text, which looks at `facts`."""
     conditions = Conditions("task", 0, "omnigibson", predefined_problem=text)
-    facts = Facts()
     scope = {name: Thing(name) for name in get_object_scope(conditions)}
-    return get_goal_conditions(conditions, facts, scope, generate_ground_options=False), facts
+    return get_goal_conditions(conditions, facts, scope, generate_ground_options=False)
 
 
-def judge(env, task, demonstration, text):
+def with_goal(text, goal):
+    """A problem with another goal."""
+    return text[: text.index("(:goal")] + f"(:goal {goal}))"
+
+
+def holds(formula, trace):
+    """A formula of linear temporal logic on a trace of sets of names, by the rules of docs/exports.md: ! & | F G U."""
+    text = re.sub(r"\btrue\b", "(T)", re.sub(r"\bfalse\b", "(N)", formula))
+    words = iter(re.findall(r"[a-z][a-z0-9_]*|[!&|FGUTN()]", text) + [None])
+    word = next(words)
+    last = len(trace) - 1
+
+    def advance():
+        nonlocal word
+        word = next(words)
+
+    def operand():
+        sign = word
+        advance()
+        if sign == "(":
+            value = whole()
+            advance()
+            return value
+        if sign in ("T", "N"):
+            return [sign == "T"] * len(trace)
+        if sign in ("!", "F", "G"):
+            value = operand()
+            if sign == "!":
+                return [not one for one in value]
+            return [(any if sign == "F" else all)(value[at:]) for at in range(len(value))]
+        return [sign in state for state in trace]
+
+    def whole():
+        value = operand()
+        while word in ("&", "|", "U"):
+            sign = word
+            advance()
+            other = operand()
+            if sign == "U":
+                met = [other[last]] * len(trace)
+                for at in reversed(range(last)):
+                    met[at] = other[at] or (value[at] and met[at + 1])
+                value = met
+            else:
+                value = [(a and b) if sign == "&" else (a or b) for a, b in zip(value, other)]
+        return value
+
+    return whole()[0]
+
+
+def judge(env, demonstration, activity, text, synsets):
     """One row: how often the two agree on the states of a task's demonstration, and the first state where they do not."""
+    task = activity["task"]
+    facts = Facts()
     try:
-        goal, facts = compiled_goal(text)
+        goal = compiled_goal(text, facts)
+        propositions = {
+            one["name"]: compiled_goal(with_goal(text, one["bddl"]), facts) for one in activity["goal"]["propositions"]
+        }
     except Exception as error:  # the package raises whatever its parser trips over
         return {"task": task, "parsed": f"no: {error!r}", "states": 0, "agreed": 0}
     names = {ours: theirs for theirs, ours in NAMES.findall(text)}
     env.reset(options={"task": task})
-    verdicts = []
-    for step in [None, *demonstration.steps]:
+    trace, apart, theirs = [], [], False
+    for number, step in enumerate([None, *demonstration.steps]):
         if step is not None:
             env.step(step.command())
-        facts.true = literals(env.scene(), names)
-        verdicts.append((env.privileged()["success"], evaluate_goal_conditions(goal)[0]))
-    apart = [number for number, (ours, theirs) in enumerate(verdicts) if ours != theirs]
+        facts.true = literals(env.scene(), names, synsets)
+        trace.append({name for name, one in propositions.items() if evaluate_goal_conditions(one)[0]})
+        ours, asked = env.privileged()["success"], evaluate_goal_conditions(goal)[0]
+        theirs = holds(activity["goal"]["formula"], trace)
+        if theirs != ours or (asked != ours if activity["last_state_decides"] else ours and not asked):
+            apart.append(number)
     return {
         "task": task,
         "parsed": "yes",
-        "states": len(verdicts),
-        "agreed": len(verdicts) - len(apart),
+        "decided_by": "last state" if activity["last_state_decides"] else "formula",
+        "states": len(trace),
+        "agreed": len(trace) - len(apart),
         "first_disagreement": apart[0] if apart else "",
-        "true_at_the_end": "yes" if verdicts[-1][1] else "no",
+        "true_at_the_end": "yes" if theirs else "no",
     }
 
 
 def main():
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("dataset", type=Path)
-    options.add_argument("folder", type=Path, help="what `unietp export --format bddl` wrote")
+    options.add_argument("folder", type=Path, help="what `unietp export --format behavior` wrote")
     options.add_argument("out", type=Path, help="a CSV file to write")
     options = options.parse_args()
     env = unietp.make(options.dataset, "M1", picture=False)
     dataset = unietp.load_dataset(options.dataset)
-    rows = [
-        judge(env, problem.stem, dataset.demonstration(problem.stem), problem.read_text())
-        for problem in sorted(options.folder.glob("*.bddl"))
-    ]
+    synsets = substances()
+    rows = []
+    for file in sorted(options.folder.glob("*.json")):
+        problem = options.folder / "activity_definitions" / file.stem / "problem0.bddl"
+        activity = json.loads(file.read_text())
+        rows.append(judge(env, dataset.demonstration(file.stem), activity, problem.read_text(), synsets))
     parsed = sum(row["parsed"] == "yes" for row in rows)
     states, agreed = (sum(row[name] for row in rows) for name in ("states", "agreed"))
+    alone = sum(row.get("decided_by") == "last state" for row in rows)
     finish(
         rows,
         options.out,
-        f"bddl parses {parsed} of {len(rows)} problems and agrees with ours on {agreed} of {states} states",
+        f"bddl parses {parsed} of {len(rows)} problems, {alone} of which are the whole goal, and agrees with ours on {agreed} of "
+        f"{states} states",
         lambda row: row["parsed"] == row.get("true_at_the_end") == "yes" and row["states"] == row["agreed"],
     )
 

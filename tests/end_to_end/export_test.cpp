@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
+#include <regex>
 
 #include "core/files.h"
 #include "data_set.h"
@@ -124,6 +126,47 @@ TEST(ExportLtlf, EveryFormulaMeansItsGoalOnEveryPrefixOfTheDemonstration) {
   }
   EXPECT_GE(2 * lines.size(), tasks.size());
   EXPECT_EQ(lines.size() + json_lines(out / "left_out.jsonl").size(), tasks.size());
+}
+
+/// What is said of a task is what the format itself does with it, and each task is in the counts of the table once.
+TEST(ExportForms, ATaskHasAFormExactlyWhereThatExportWritesIt) {
+  const ScratchFolder folder;
+  const auto out = fs::path(folder.at("forms"));
+  const auto ended = run_program({"export", "--format", "forms", small_data_set().string(), "--out", out.string()});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const auto lines = json_lines(out / "forms.jsonl");
+  ASSERT_EQ(lines.size(), json_lines(small_data_set() / "tasks.jsonl").size());
+  EXPECT_EQ(bytes_below(out).size(), 1U);
+  SchemaChecker checker;
+  for (const auto& line : lines) EXPECT_EQ(checker.check(line, "forms.schema.json"), "");
+  for (const std::string form : {"unietp-release", "bddl", "pddl", "ltlf", "virtualhome", "habitat", "ai2thor"}) {
+    const auto own = fs::path(folder.at(form));
+    ASSERT_EQ(run_program({"export", "--format", form, small_data_set().string(), "--out", own.string()}).code, 0);
+    std::map<std::string, std::string> left_out;
+    for (const auto& line : json_lines(own / "left_out.jsonl")) left_out[line["task"]] = line["reason"];
+    std::map<std::string, std::size_t> tasks, expressed;  // by simulator
+    for (const auto& line : lines) {
+      const std::string task = line["task"];
+      const auto& forms = line["forms"];
+      EXPECT_EQ(std::find(forms.begin(), forms.end(), form) == forms.end(), left_out.contains(task)) << task << form;
+      const auto reason = left_out.find(task);
+      const bool is_refused = line["refused"].contains(form);
+      if (is_refused) {
+        ASSERT_NE(reason, left_out.end()) << task << form;
+        EXPECT_EQ(line["refused"][form], reason->second) << task;
+      } else if (reason != left_out.end()) {
+        EXPECT_TRUE(reason->second.starts_with("not a task of")) << task << form << reason->second;
+        continue;
+      }
+      ++tasks[line["simulator"]];
+      expressed[line["simulator"]] += is_refused ? 0 : 1;
+    }
+    for (const auto& [simulator, count] : tasks) {
+      const auto row = simulator + " +" + form + " +" + std::to_string(count) + " +" +
+                       std::to_string(expressed[simulator]) + " +[0-9.]+ %\n";
+      EXPECT_TRUE(std::regex_search(ended.out, std::regex(row))) << row << ended.out;
+    }
+  }
 }
 
 TEST(Export, AnOptionOfAnotherFormatIsRefused) {

@@ -83,7 +83,8 @@ std::vector<WritingCommand> writing_commands() {
       {"scene make", "scene make --simulator habitat --count 2 --seed 3 --out out", "out", true},
       {"template new", "template new mine --like place-one-on --out out", "out", true},
   };
-  for (const char* format : {"sft", "unietp-release", "bddl", "pddl", "ltlf", "virtualhome", "ai2thor", "starts"})
+  for (const char* format :
+       {"sft", "unietp-release", "bddl", "pddl", "ltlf", "virtualhome", "ai2thor", "behavior", "starts", "forms"})
     commands.push_back(
         {std::string("export ") + format, std::string("export data --format ") + format + " --out out", "out"});
   return commands;

@@ -30,7 +30,7 @@ std::string exported(const std::string& goal) {
   const Knowledge knowledge(Simulator::Behavior, {category("mug")}, {}, {}, {}, {});
   const auto formula = parse_formula("goal", goal, FormulaUse::Goal);
   EXPECT_TRUE(formula) << format(formula.error());
-  const auto text = bddl_goal(*formula, scene, knowledge, {{"mug", "mug.n.04"}}, {});
+  const auto text = bddl_goal(*formula, scene, knowledge, {{{"mug", "mug.n.04"}}, {}}, {});
   EXPECT_TRUE(text) << format(text.error());
   return text ? text->text : "";
 }

@@ -10,7 +10,7 @@
 #include "akb/placement_rules.h"
 #include "akb/provenance.h"
 #include "bodies.h"
-#include "exports/bddl_goal.h"
+#include "exports/bddl_words.h"
 #include "fuzz_bodies.h"
 #include "grounding/home_census.h"
 #include "interchange/format_facts.h"
@@ -112,6 +112,10 @@ const std::map<std::string, std::function<void(const Folder&, Errors&)>, std::le
        }},
       {"synsets.csv", [](const Folder& folder,
                          Errors& errors) { keep_error(read_bddl_synsets(folder.path() / "synsets.csv"), errors); }},
+      {"substances.csv",
+       [](const Folder& folder, Errors& errors) {
+         keep_error(read_bddl_synsets(folder.path() / "substances.csv"), errors);
+       }},
       {"benchmark-homes.csv",
        [](const Folder& folder, Errors& errors) { keep_error(read_known_homes(folder.path()), errors); }},
       {"replicacad_words.csv", read_scene_file_tables},

@@ -1,0 +1,77 @@
+#include <nlohmann/json.hpp>
+
+#include "core/files.h"
+#include "exports/bddl.h"
+#include "exports/formats.h"
+#include "exports/task_folder.h"
+
+namespace unietp {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A task as a runner reads it, beside its BDDL problem.
+Json task_json(const FinishedTask& task, const BddlProblem& problem) {
+  Json propositions = Json::array(), plan = Json::array();
+  for (const LtlfProposition& one : problem.goal.goal.propositions) {
+    propositions.push_back({{"name", one.name},
+                            {"predicate", one.predicate},
+                            {"arguments", one.arguments},
+                            {"bddl", problem.goal.literals.at(one.name)}});
+  }
+  const auto& steps = task.shown.at(Mode::M1).steps;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    Json arguments = Json::array();
+    for (const auto& argument : steps[i].command.args) arguments.push_back(argument.id);
+    plan.push_back(
+        {{"action", steps[i].command.action}, {"args", std::move(arguments)}, {"holds", problem.goal.holding[i + 1]}});
+  }
+  return {{"format", "unietp-behavior/1"},
+          {"task", task.record.id},
+          {"template", task.record.template_name},
+          {"instruction", task.record.instruction},
+          {"objects", problem.names},
+          {"last_state_decides", problem.decides},
+          {"goal",
+           {{"text", task.record.goal_text},
+            {"formula", problem.goal.goal.formula},
+            {"propositions", std::move(propositions)},
+            {"holds", problem.goal.holding.front()}}},
+          {"plan", std::move(plan)}};
+}
+
+/// For each task of BEHAVIOR `activity_definitions/<task>/problem0.bddl`, the folder that the package `bddl` reads
+/// activities from, and `<task>.json` with the exact goal over literals of BDDL; and left_out.jsonl.
+Result<std::string> write_behavior_files(const ExportRequest& request) {
+  const auto words = read_bddl_words(request.data / "bddl");
+  if (!words) return words.error();
+  const auto say = [&](const FinishedTask& task,
+                       const std::filesystem::path& folder) -> Result<std::optional<std::string>> {
+    const auto problem = bddl_problem(task, *backend_of(request.backends, task.start).knowledge, *words);
+    if (!problem) return std::optional(problem.error().message);
+    const std::string& id = task.record.id;
+    const std::string text = task_json(task, *problem).dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    for (const auto& [file, content] :
+         {std::pair{"activity_definitions/" + id + "/problem0.bddl", problem->text}, {id + ".json", text}}) {
+      if (auto written = write_file(folder, file, content); !written) return written.error();
+    }
+    return std::optional<std::string>();
+  };
+  const auto made = write_task_folder(request.dataset, {Mode::M1}, request.out, say);
+  if (!made) return made.error();
+  return summary_of(*made, request.out);
+}
+
+}  // namespace
+
+ExportFormat behavior_format() {
+  return {"behavior",
+          "BEHAVIOR's activities, and their exact goals over BDDL's literals",
+          {},
+          true,
+          write_behavior_files,
+          true,
+          Simulator::Behavior};
+}
+
+}  // namespace unietp
