@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "simulation/camera.h"
+#include "simulation/daylight.h"
 #include "simulation/glow.h"
 #include "simulation/noise.h"
 #include "simulation/solids.h"
@@ -54,7 +55,9 @@ class Painter {
     for (const Solid& solid : rays.solids()) {
       if (solid.skin == Skin::Liquid) looks_[static_cast<std::size_t>(solid.owner)].pool = true;
     }
-    sources_ = light_sources(scene, looks_, camera, std::max(kLamps_m, 2 * camera.at.z()));
+    const double lit = std::max(kLamps_m, 2 * camera.at.z());
+    sources_ = light_sources(scene, looks_, camera, lit);
+    windows_ = daylight_of(scene, camera, lit);
   }
 
   Picture paint(const std::vector<std::size_t>& hidden) {
@@ -276,8 +279,8 @@ class Painter {
     return light.cast<double>();
   }
 
-  /// Ambient light, light from the camera, sunlight where it is not blocked, and that of lamps. Shadows are darkest
-  /// where the thing that casts them touches.
+  /// Ambient light, light from the camera, light from above where it is not blocked, that of lamps, and daylight
+  /// through windows. Shadows are darkest where the thing that casts them touches.
   Vec3 lit(const Spot& spot, const Vec3& from, const Vec3& direction) const {
     if (spot.solid == Spot::kOpen) return Vec3::Ones();
     const double facing = std::abs(spot.normal.dot(direction.normalized()));
@@ -297,7 +300,20 @@ class Painter {
     } else {
       around -= kCorner * (1 - ramp(0, kCorner_m, at.z()));  // less light comes near the floor
     }
-    return Vec3::Constant(around + kEye * facing + kAbove * sun) + lamps;
+    Vec3 light = Vec3::Constant(around + kEye * facing + kAbove * sun) + lamps;
+    if (!windows_.empty()) light += daylight(at, spot.normal);
+    return light;
+  }
+
+  Vec3 daylight(const Vec3& at, const Vec3& normal) const {
+    constexpr double kLift_m = 0.001, kPane_m = 0.15, kSunlight = 0.6;
+    Vec3 light = sky_light(windows_, at, normal);
+    const double facing = normal.dot(toward_sun());
+    if (facing <= 0) return light;
+    const auto way = way_to_sunny_pane(windows_, at);
+    if (way && !rays_.first(at + kLift_m * normal, toward_sun(), *way - kPane_m))
+      light += kSunlight * facing * Vec3(1, 0.95, 0.8);
+    return light;
   }
 
   /// Lays a puff over the picture, where nothing is nearer.
@@ -363,6 +379,7 @@ class Painter {
   std::vector<Body> bodies_;                              // of the nodes
   std::vector<Look> looks_;                               // of the nodes
   std::vector<LightSource> sources_;
+  std::vector<Daylight> windows_;
   std::vector<Spot> spots_;
   std::vector<std::uint8_t> known_;  // by pixel: whether its spot is known
   std::vector<std::uint8_t> thin_;   // by square of step_ pixels: whether a thin solid crosses it
