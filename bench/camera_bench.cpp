@@ -5,6 +5,7 @@
 
 #include "bench/furnished_views.h"
 #include "core/png.h"
+#include "simulation/channels.h"
 #include "simulation/picture.h"
 #include "simulation/solids.h"
 #include "simulation/view.h"

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bench/furnished_views.h"
+#include "simulation/channels.h"
 #include "simulation/picture.h"
 #include "simulation/view.h"
 

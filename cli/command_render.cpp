@@ -1,4 +1,9 @@
+#include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
+#include <iostream>
+#include <limits>
 #include <memory>
 
 #include "cli/command_parser.h"
@@ -8,16 +13,16 @@
 #include "grounding/scene_svg.h"
 #include "record/dataset_reader.h"
 #include "simulation/navigation.h"
-#include "simulation/picture.h"
 #include "simulation/solids.h"
 #include "simulation/view.h"
+#include "simulation/viewpoint.h"
 
 namespace unietp {
 namespace {
 
 struct RenderOptions {
   std::filesystem::path dataset, out;
-  std::string task, mode = "M1";
+  std::string task, mode = "M1", size, camera = "agent", channel = "color";
   std::size_t step = 1;
   bool boxes = false;
 };
@@ -61,16 +66,82 @@ Paths paths_through(const std::vector<Scene>& scenes, const Profile& profile) {
   return paths;
 }
 
-/// The agent's view as PNG, with a box around each object that it is told about if `boxes`.
-Result<std::string> seen(const Scene& scene, const Profile& profile, bool boxes) {
+/// Sets the size of the picture. Errors: Usage unless it is WIDTHxHEIGHT with both in range.
+Result<Done> resize(Profile& profile, const std::string& size) {
+  constexpr int kLeast = 64, kMost = 1024;
+  const char* end = size.data() + size.size();
+  int width = 0, height = 0;
+  const auto [sign, bad] = std::from_chars(size.data(), end, width);
+  const bool has_height = bad == std::errc() && sign != end && *sign == 'x';
+  const auto [rest, bad_too] = std::from_chars(has_height ? sign + 1 : end, end, height);
+  const auto fits = [](int side) { return side >= kLeast && side <= kMost; };
+  if (!has_height || bad_too != std::errc() || rest != end || !fits(width) || !fits(height))
+    return Error{Error::Kind::Usage, "--size", {}, "expected WIDTHxHEIGHT, each 64 to 1024 pixels, as in 500x500"};
+  profile.image_width = width;
+  profile.image_height = height;
+  return Done{};
+}
+
+/// A picture as PNG, with a box around each object that the agent is told about if `boxes`.
+Result<std::string> seen(const Scene& scene, const Profile& profile, Viewpoint viewpoint, bool boxes) {
   Rays rays;
-  Picture picture = picture_of(scene, profile, rays);
+  Picture picture = picture_from(scene, profile, viewpoint, rays);
   constexpr std::array<std::uint8_t, 3> kFrame{255, 60, 20};
   if (boxes) {
     for (const VisibleObject& object : Viewer(scene).view(viewed(scene), scene.agent, profile, profile.sight_m))
       draw_box(picture, object.box, kFrame);
   }
   return png(picture.width, picture.height, picture.rgb);
+}
+
+Result<std::string> depth_png(const Channels& channels) {
+  constexpr double kMost = std::numeric_limits<std::uint16_t>::max();
+  std::vector<std::uint16_t> millimeters;
+  for (const float depth : channels.depth) {
+    const double value = std::round(1000.0 * depth);
+    millimeters.push_back(value <= kMost ? static_cast<std::uint16_t>(value) : 0);
+  }
+  return grey_png(channels.width, channels.height, millimeters);
+}
+
+Result<std::string> normals_png(const Channels& channels) {
+  std::vector<std::uint8_t> rgb;
+  for (const float part : channels.normal) rgb.push_back(static_cast<std::uint8_t>(std::round((part + 1.0) * 127.5)));
+  return png(channels.width, channels.height, rgb);
+}
+
+/// Prints the number, the pixels and the id of each object in it.
+Result<std::string> instances_png(const Channels& channels, const Scene& scene) {
+  std::vector<std::uint16_t> numbers;
+  std::vector<int> pixels(scene.nodes.size() + 1);
+  for (const std::int32_t node : channels.node) {
+    numbers.push_back(static_cast<std::uint16_t>(node + 1));
+    if (node >= 0) ++pixels[static_cast<std::size_t>(node)];
+  }
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    if (pixels[i] == 0) continue;
+    std::cout << i + 1 << ',' << pixels[i] << ',' << (i < scene.nodes.size() ? scene.nodes[i].id : "agent") << '\n';
+  }
+  return grey_png(channels.width, channels.height, numbers);
+}
+
+Result<std::string> measured(const Scene& scene, const Profile& profile, Viewpoint viewpoint,
+                             const std::string& channel) {
+  Rays rays;
+  const Channels channels = channels_from(scene, profile, viewpoint, rays);
+  if (channel == "depth") return depth_png(channels);
+  return channel == "normals" ? normals_png(channels) : instances_png(channels, scene);
+}
+
+/// What the options ask for, as the bytes of a PNG. Errors: Usage.
+Result<std::string> picture(const Scene& scene, Profile profile, const RenderOptions& options) {
+  if (!options.size.empty()) {
+    if (const auto fine = resize(profile, options.size); !fine) return fine.error();
+  }
+  const auto viewpoint = *std::find_if(kViewpoints.begin(), kViewpoints.end(),
+                                       [&](Viewpoint one) { return name_of(one) == options.camera; });
+  if (options.channel != "color") return measured(scene, profile, viewpoint, options.channel);
+  return seen(scene, profile, viewpoint, options.boxes);
 }
 
 Exit render(const RenderOptions& options, const DataFolders& folders) {
@@ -88,7 +159,14 @@ Exit render(const RenderOptions& options, const DataFolders& folders) {
   const bool as_seen = options.out.extension() == ".png";
   if (options.step < 1 || options.step > scenes.size())
     return refuse({Error::Kind::Usage, "--step", {}, "expected 1 to " + std::to_string(scenes.size())});
-  const auto drawn = as_seen ? seen(scenes[options.step - 1], *profile, options.boxes)
+  if (options.boxes && (options.camera != "agent" || options.channel != "color"))
+    return refuse({Error::Kind::Usage, "--boxes", {}, "expected the agent's camera and color, which the boxes are of"});
+  if (!as_seen && (!options.size.empty() || options.camera != "agent" || options.channel != "color"))
+    return refuse({Error::Kind::Usage,
+                   options.out.string(),
+                   {},
+                   "expected a file that ends in .png with --size, --camera and --channel"});
+  const auto drawn = as_seen ? picture(scenes[options.step - 1], *profile, options)
                              : Result<std::string>(scene_svg(task->start, paths_through(scenes, *profile)));
   if (!drawn) return refuse(drawn.error());
   if (const auto written = write_file(options.out, *drawn); !written) return refuse(written.error());
@@ -102,10 +180,16 @@ void add_render_command(CommandParser& app, CommandLine& program) {
   auto* command = app.add_subcommand("render", "Draw a task from above (SVG) or as the agent sees it (PNG)");
   command->explain(
       "An SVG shows the start scene from above with the path of the demonstration. A PNG shows what the "
-      "agent's camera sees before one step of it. `unietp scene show` draws a home without a task.",
+      "agent's camera sees before one step of it. `unietp scene show` draws a home without a task.\n\n"
+      "--camera behind follows the agent, --camera above shows the whole home; both show the agent. With --channel a "
+      "PNG holds numbers instead of colors: depth in millimeters along the view direction (16 bits; 0: none, or over "
+      "65 m); normals as red, green and blue of -1 to 1 to the right, down and ahead; instances as the number of the "
+      "object (16 bits; 0: walls, floor and ceiling), of which number, pixels and id are printed.",
       {{"unietp render out/first ai2thor-00001 --out task.svg", ""},
        {"unietp render out/first ai2thor-00001 --out view.png --step 3 --boxes", ""},
-       {"unietp render out/first ai2thor-00001 --out view.png --step 3 --mode M3", ""}});
+       {"unietp render out/first ai2thor-00001 --out view.png --step 3 --mode M3", ""},
+       {"unietp render out/first ai2thor-00001 --out above.png --camera above --size 800x600", ""},
+       {"unietp render out/first ai2thor-00001 --out depth.png --channel depth", ""}});
   command->add_option("FOLDER", options->dataset, "A finished data set")->required()->folder();
   command->add_option("TASK", options->task, "Id of a task in it")->required();
   command->add_option("--out", options->out, "File to write; .png for the agent's view, otherwise SVG")->required();
@@ -115,6 +199,14 @@ void add_render_command(CommandParser& app, CommandLine& program) {
       ->one_of({"M1", "M2", "M3"})
       ->shows_default();
   command->add_flag("--boxes", options->boxes, "PNG: draw the boxes of the objects that the agent is told about");
+  command->add_option("--size", options->size, "PNG: pixels, each side 64 to 1024; otherwise the simulator's")
+      ->type_name("WIDTHxHEIGHT");
+  command->add_option("--camera", options->camera, "PNG: the agent's own, one behind it, or one above the home")
+      ->one_of({"agent", "behind", "above"})
+      ->shows_default();
+  command->add_option("--channel", options->channel, "PNG: what each pixel holds")
+      ->one_of({"color", "depth", "normals", "instances"})
+      ->shows_default();
   command->callback([options, &program] { program.exit = render(*options, program.folders); });
 }
 

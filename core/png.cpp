@@ -20,10 +20,10 @@ png_image image_of(int width, int height, png_uint_32 format) {
   return image;
 }
 
-Result<std::string> written(png_image image, std::span<const std::uint8_t> pixels, const std::uint8_t* colours) {
+Result<std::string> written(png_image image, const void* pixels, const std::uint8_t* colours) {
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
   std::string bytes(size, '\0');
-  if (png_image_write_to_memory(&image, bytes.data(), &size, 0, pixels.data(), 0, colours) == 0)
+  if (png_image_write_to_memory(&image, bytes.data(), &size, 0, pixels, 0, colours) == 0)
     return Error{Error::Kind::Io, "png", {}, image.message};
   bytes.resize(size);
   return bytes;
@@ -63,7 +63,7 @@ std::map<Colour, std::uint8_t> palette_of(std::span<const std::uint8_t> rgb, std
 
 Result<std::string> png(int width, int height, std::span<const std::uint8_t> rgb) {
   assert(rgb.size() == 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  return written(image_of(width, height, PNG_FORMAT_RGB), rgb, nullptr);
+  return written(image_of(width, height, PNG_FORMAT_RGB), rgb.data(), nullptr);
 }
 
 Result<std::string> few_colours_png(int width, int height, std::span<const std::uint8_t> rgb) {
@@ -74,7 +74,12 @@ Result<std::string> few_colours_png(int width, int height, std::span<const std::
     pixels.push_back(index.at({rounded(rgb[i]), rounded(rgb[i + 1]), rounded(rgb[i + 2])}));
   png_image image = image_of(width, height, PNG_FORMAT_RGB_COLORMAP);
   image.colormap_entries = static_cast<png_uint_32>(palette.size() / 3);
-  return written(image, pixels, palette.data());
+  return written(image, pixels.data(), palette.data());
+}
+
+Result<std::string> grey_png(int width, int height, std::span<const std::uint16_t> grey) {
+  assert(grey.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  return written(image_of(width, height, PNG_FORMAT_LINEAR_Y), grey.data(), nullptr);
 }
 
 }  // namespace unietp

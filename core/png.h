@@ -16,4 +16,8 @@ Result<std::string> png(int width, int height, std::span<const std::uint8_t> rgb
 /// stand for all.
 Result<std::string> few_colours_png(int width, int height, std::span<const std::uint8_t> rgb);
 
+/// The bytes of a PNG file of one channel of 16 bits. `grey`: rows from the top, width * height values. Determinism and
+/// errors as above.
+Result<std::string> grey_png(int width, int height, std::span<const std::uint16_t> grey);
+
 }  // namespace unietp

@@ -66,7 +66,10 @@ StepResult Environment::step(const Command& command) { return step(std::vector<C
 
 Picture Environment::picture() const { return state_->episode.world().picture(*state_->profile, state_->rays); }
 
-Result<Picture> Environment::render(int width, int height) const {
+namespace {
+
+/// The profile with a picture of this size. Errors: Usage for a size out of range.
+Result<Profile> lens_of(const Profile& profile, int width, int height) {
   for (const int side : {width, height}) {
     if (side < limits::kLeastImageSide || side > limits::kImageSide)
       return Error{Error::Kind::Usage,
@@ -75,10 +78,25 @@ Result<Picture> Environment::render(int width, int height) const {
                    "expected " + std::to_string(limits::kLeastImageSide) + " to " + std::to_string(limits::kImageSide) +
                        " pixels a side"};
   }
-  Profile lens = *state_->profile;
+  Profile lens = profile;
   lens.image_width = width;
   lens.image_height = height;
-  return state_->episode.world().picture(lens, state_->rays);
+  return lens;
+}
+
+}  // namespace
+
+Result<Picture> Environment::render(int width, int height, Viewpoint viewpoint) const {
+  const auto lens = lens_of(*state_->profile, width, height);
+  if (!lens) return lens.error();
+  if (viewpoint == Viewpoint::Agent) return state_->episode.world().picture(*lens, state_->rays);
+  return picture_from(scene(), *lens, viewpoint, state_->rays);
+}
+
+Result<Channels> Environment::channels(int width, int height, Viewpoint viewpoint) const {
+  const auto lens = lens_of(*state_->profile, width, height);
+  if (!lens) return lens.error();
+  return channels_from(scene(), *lens, viewpoint, state_->rays);
 }
 
 std::string Environment::prompt(bool reasoning) const {

@@ -15,6 +15,7 @@
 #include "environment/task.h"
 #include "scene/scene.h"
 #include "simulation/picture.h"
+#include "simulation/viewpoint.h"
 
 namespace unietp {
 
@@ -55,8 +56,13 @@ class Environment {
 
   /// What the head camera shows: rows from the top, three bytes a pixel, observe().image_width × image_height.
   Picture picture() const;
-  /// The same in another size, at the same field of view from top to bottom. Errors: Usage for a size out of range.
-  Result<Picture> render(int width, int height) const;
+  /// The same in another size, at the same field of view from top to bottom, or the home from another viewpoint, which
+  /// shows the agent too. Errors: Usage for a size out of range.
+  Result<Picture> render(int width, int height, Viewpoint viewpoint = Viewpoint::Agent) const;
+  /// Depth, surface normals and objects of that picture. Of `node`, positions in scene().nodes; their number stands for
+  /// the agent's body. Objects are privileged, and so is all from another viewpoint than the agent's. Errors: as
+  /// render.
+  Result<Channels> channels(int width, int height, Viewpoint viewpoint = Viewpoint::Agent) const;
 
   /// The system prompt of this episode (agent_text.h).
   std::string prompt(bool reasoning = false) const;

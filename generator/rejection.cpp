@@ -76,7 +76,8 @@ constexpr std::array<ReasonInfo, kRejectionReasonCount> kReasons{{
     {Reason::NotSeen, Stage::Grounding, "not-seen",
      "the object is too small in images: choose larger categories, or no --modes M3"},
     {Reason::LooksAlike, Stage::Grounding, "looks-alike",
-     "the color, material or state that tells the objects apart does not show: choose another one, or other categories"},
+     "the color, material or state that tells the objects apart does not show: choose another one, or other "
+     "categories"},
     {Reason::OddStart, Stage::Grounding, "odd-start",
      "few homes look as `init` and the goal's parts want it: require less in `init`, choose categories of which homes "
      "have fewer, or allow it with --sense any"},

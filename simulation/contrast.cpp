@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simulation/channels.h"
+
 namespace unietp {
 
 Contrast contrast_of(const Node& one, const Node& other, Simulator simulator) {

@@ -7,18 +7,19 @@
 #include <string_view>
 
 #include "simulation/camera.h"
+#include "simulation/daylight.h"
 #include "simulation/glow.h"
 #include "simulation/noise.h"
 #include "simulation/solids.h"
+#include "simulation/walls.h"
 
 namespace unietp {
 namespace {
 
 constexpr double kEverywhere_m = 1000;
 constexpr double kShadow_m = 0.8;  // longest shadow
-constexpr double kLamps_m = 9;     // farther lamps are not lit
-constexpr int kStep = 4;           // pixels between the first rays
-constexpr double kThin = 1.5 * kStep,
+constexpr double kLamps_m = 9;     // farther lamps are not lit, but from above
+constexpr double kThin = 1.5 * kPictureStep,
                  kNear_m = 0.05;  // what is narrower (in pixels, at this depth or more) is looked for
 constexpr double kInto_m = 1e-6;  // from a clear face to where the ray goes on
 const Vec3 kSun = Vec3(0.35, 0.2, 0.9).normalized();
@@ -34,8 +35,14 @@ struct Spot {
 
 class Painter {
  public:
-  Painter(const Scene& scene, const Camera& camera, const Rays& rays, const std::vector<Node>& in_hand)
-      : scene_(scene), camera_(camera), rays_(rays), spots_(size()), known_(size(), 0), lights_(size(), kDark) {
+  Painter(const Scene& scene, const Camera& camera, const Rays& rays, const std::vector<Node>& in_hand, int step)
+      : scene_(scene),
+        camera_(camera),
+        rays_(rays),
+        step_(step),
+        spots_(size()),
+        known_(size(), 0),
+        lights_(size(), kDark) {
     bodies_.reserve(scene.nodes.size());
     looks_.reserve(scene.nodes.size());
     for (const Node& node : scene.nodes) {
@@ -48,7 +55,9 @@ class Painter {
     for (const Solid& solid : rays.solids()) {
       if (solid.skin == Skin::Liquid) looks_[static_cast<std::size_t>(solid.owner)].pool = true;
     }
-    sources_ = light_sources(scene, looks_, camera, kLamps_m);
+    const double lit = std::max(kLamps_m, 2 * camera.at.z());
+    sources_ = light_sources(scene, looks_, camera, lit);
+    windows_ = daylight_of(scene, camera, lit);
   }
 
   Picture paint(const std::vector<std::size_t>& hidden) {
@@ -82,11 +91,11 @@ class Painter {
     const auto hit = rays_.first(camera_.at, direction, kEverywhere_m);
     return hit ? Spot{static_cast<std::int32_t>(hit->solid), hit->along, hit->normal} : shell(camera_.at, direction);
   }
-  /// Floor and ceiling are planes behind everything else.
   Spot shell(const Vec3& from, const Vec3& direction) const {
-    if (direction.z() < 0) return {Spot::kFloor, -from.z() / direction.z(), Vec3::UnitZ()};
-    if (direction.z() > 0) return {Spot::kCeiling, (scene_.wall_height - from.z()) / direction.z(), -Vec3::UnitZ()};
-    return {};
+    const auto plane = plane_behind(from, direction, scene_.wall_height);
+    if (!plane) return {};
+    return plane->is_floor ? Spot{Spot::kFloor, plane->along, Vec3::UnitZ()}
+                           : Spot{Spot::kCeiling, plane->along, -Vec3::UnitZ()};
   }
 
   void find(int x, int y) {
@@ -97,7 +106,7 @@ class Painter {
 
   /// Marks the squares that a thin solid crosses, which the rays at their corners may miss.
   void mark_thin() {
-    const int across = (camera_.width + kStep - 1) / kStep, along = (camera_.height + kStep - 1) / kStep;
+    const int across = (camera_.width + step_ - 1) / step_, along = (camera_.height + step_ - 1) / step_;
     thin_.assign(static_cast<std::size_t>(across) * static_cast<std::size_t>(along), 0);
     for (const Solid& solid : rays_.solids()) {
       if (!solid.sheared) continue;
@@ -114,20 +123,20 @@ class Painter {
       for (int i = 0; i <= steps; ++i) {
         const Vec2 at = *from + (*to - *from) * i / steps;
         if (at.x() < 0 || at.y() < 0 || at.x() >= camera_.width || at.y() >= camera_.height) continue;
-        thin_[static_cast<std::size_t>(static_cast<int>(at.y()) / kStep * across + static_cast<int>(at.x()) / kStep)] =
+        thin_[static_cast<std::size_t>(static_cast<int>(at.y()) / step_ * across + static_cast<int>(at.x()) / step_)] =
             1;
       }
     }
   }
   bool crossed_by_thin(int x, int y) const {
-    const int across = (camera_.width + kStep - 1) / kStep;
-    return thin_[static_cast<std::size_t>(y / kStep * across + x / kStep)] != 0;
+    const int across = (camera_.width + step_ - 1) / step_;
+    return thin_[static_cast<std::size_t>(y / step_ * across + x / step_)] != 0;
   }
 
-  /// Casts a ray through every fourth pixel and fills the squares between them.
+  /// Casts a ray through every step_-th pixel and fills the squares between them.
   void find_spots() {
     mark_thin();
-    const auto next = [](int at, int pixels) { return std::min(at + kStep, pixels - 1); };
+    const auto next = [this](int at, int pixels) { return std::min(at + step_, pixels - 1); };
     for (int y = 0; y < camera_.height - 1; y = next(y, camera_.height)) {
       for (int x = 0; x < camera_.width - 1; x = next(x, camera_.width))
         fill(x, y, next(x, camera_.width), next(y, camera_.height));
@@ -270,8 +279,8 @@ class Painter {
     return light.cast<double>();
   }
 
-  /// Ambient light, light from the camera, sunlight where it is not blocked, and that of lamps. Shadows are darkest
-  /// where the thing that casts them touches.
+  /// Ambient light, light from the camera, light from above where it is not blocked, that of lamps, and daylight
+  /// through windows. Shadows are darkest where the thing that casts them touches.
   Vec3 lit(const Spot& spot, const Vec3& from, const Vec3& direction) const {
     if (spot.solid == Spot::kOpen) return Vec3::Ones();
     const double facing = std::abs(spot.normal.dot(direction.normalized()));
@@ -291,7 +300,20 @@ class Painter {
     } else {
       around -= kCorner * (1 - ramp(0, kCorner_m, at.z()));  // less light comes near the floor
     }
-    return Vec3::Constant(around + kEye * facing + kAbove * sun) + lamps;
+    Vec3 light = Vec3::Constant(around + kEye * facing + kAbove * sun) + lamps;
+    if (!windows_.empty()) light += daylight(at, spot.normal);
+    return light;
+  }
+
+  Vec3 daylight(const Vec3& at, const Vec3& normal) const {
+    constexpr double kLift_m = 0.001, kPane_m = 0.15, kSunlight = 0.6;
+    Vec3 light = sky_light(windows_, at, normal);
+    const double facing = normal.dot(toward_sun());
+    if (facing <= 0) return light;
+    const auto way = way_to_sunny_pane(windows_, at);
+    if (way && !rays_.first(at + kLift_m * normal, toward_sun(), *way - kPane_m))
+      light += kSunlight * facing * Vec3(1, 0.95, 0.8);
+    return light;
   }
 
   /// Lays a puff over the picture, where nothing is nearer.
@@ -348,6 +370,7 @@ class Painter {
   const Scene& scene_;
   const Camera& camera_;
   const Rays& rays_;
+  int step_;  // pixels between the first rays
   struct Body {
     Eigen::Matrix3d to_own;
     Vec3 centre;
@@ -356,37 +379,13 @@ class Painter {
   std::vector<Body> bodies_;                              // of the nodes
   std::vector<Look> looks_;                               // of the nodes
   std::vector<LightSource> sources_;
+  std::vector<Daylight> windows_;
   std::vector<Spot> spots_;
   std::vector<std::uint8_t> known_;  // by pixel: whether its spot is known
-  std::vector<std::uint8_t> thin_;   // by square of kStep pixels: whether a thin solid crosses it
+  std::vector<std::uint8_t> thin_;   // by square of step_ pixels: whether a thin solid crosses it
   std::vector<Eigen::Vector3f> lights_;
   const Room* room_ = nullptr;  // of the last floor pixel; neighbouring ones are mostly in the same
 };
-
-}  // namespace
-
-Segmentation segmentation_of(const Scene& scene, const Profile& profile, Rays& rays) {
-  const Camera camera = camera_of(scene.agent, profile);
-  rays.build(solids_of(scene, camera, kEverywhere_m, hidden_from_sight(scene)));
-  Segmentation image{camera.width, camera.height, {}, {}};
-  image.node.reserve(static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height));
-  for (int y = 0; y < camera.height; ++y) {
-    for (int x = 0; x < camera.width; ++x) {
-      const Vec3 direction = camera.ray(x + 0.5, y + 0.5);
-      auto hit = rays.first(camera.at, direction, kEverywhere_m);
-      const auto owner = [&] { return hit ? rays.solids()[hit->solid].owner : -1; };
-      const std::size_t pixel = image.node.size();
-      image.node.push_back(owner());
-      while (hit && rays.solids()[hit->solid].clear) {
-        hit = rays.next(camera.at, direction, kEverywhere_m, *hit);
-        if (owner() >= 0) image.through.push_back({pixel, owner()});
-      }
-    }
-  }
-  return image;
-}
-
-namespace {
 
 std::vector<std::size_t> hidden_in(const ViewedScene& viewed) {
   std::vector<std::size_t> hidden;
@@ -395,10 +394,6 @@ std::vector<std::size_t> hidden_in(const ViewedScene& viewed) {
   }
   return hidden;
 }
-
-}  // namespace
-
-namespace {
 
 /// What the agent holds, as it is seen in its hands: in the lower corners, made small enough to leave the view free.
 std::vector<Node> held_before(const Scene& scene, const Camera& camera) {
@@ -433,13 +428,16 @@ Picture picture_of(const Scene& scene, const Profile& profile, Rays& rays) {
 }
 
 Picture picture_of(const ViewedScene& viewed, const Profile& profile, Rays& rays) {
-  const Camera camera = camera_of(viewed.scene.agent, profile);
+  return picture_of(viewed, camera_of(viewed.scene.agent, profile), rays);
+}
+
+Picture picture_of(const ViewedScene& viewed, const Camera& camera, Rays& rays, int step) {
   const auto hidden = hidden_in(viewed);
   auto solids = solids_of(viewed.scene, camera, kEverywhere_m, hidden, true);
   const auto in_hand = held_before(viewed.scene, camera);
   for (const Node& node : in_hand) add_shown(node, owner_of(viewed.scene, node.id), viewed.scene.simulator, solids);
   rays.build(std::move(solids));
-  return Painter(viewed.scene, camera, rays, in_hand).paint(hidden);
+  return Painter(viewed.scene, camera, rays, in_hand, step).paint(hidden);
 }
 
 std::optional<std::size_t> node_at(const ViewedScene& viewed, const Profile& profile, int x, int y, Rays& rays) {

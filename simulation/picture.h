@@ -19,28 +19,16 @@ struct Picture {
   std::vector<std::uint8_t> rgb;
 };
 
-/// Which node each pixel shows, rows from the top; -1 for walls, floor, ceiling and openings.
-struct Segmentation {
-  /// A node that a pixel shows through glass that lies before it.
-  struct Through {
-    std::size_t pixel = 0;
-    std::int32_t node = -1;
-    auto operator<=>(const Through&) const = default;
-  };
-  int width = 0, height = 0;
-  std::vector<std::int32_t> node;  // the nearest
-  std::vector<Through> through;    // by pixel, the nearest first; one may come again
-};
-
-/// One ray through the middle of every pixel, through all glass on its way, without a limit of sight. `rays` is scratch
-/// space.
-Segmentation segmentation_of(const Scene& scene, const Profile& profile, Rays& rays);
+inline constexpr int kPictureStep = 4;  // pixels between the first rays of a picture
 
 /// What the agent sees: every object in its colour, or that of its material, lit from above with short shadows, with
 /// dark edges. Rays through every fourth pixel, more where four of them do not agree on a face. Deterministic.
 Picture picture_of(const Scene& scene, const Profile& profile, Rays& rays);
 /// The same of a scene whose edges are not kept.
 Picture picture_of(const ViewedScene& viewed, const Profile& profile, Rays& rays);
+/// What another camera sees of it; what the agent holds is in the lower corners, as if it were its eye. `step`: pixels
+/// between the first rays; with 1 there is one through every pixel.
+Picture picture_of(const ViewedScene& viewed, const Camera& camera, Rays& rays, int step = kPictureStep);
 /// The node that one pixel shows, as segmentation_of finds it; nullopt for none and for pixels outside of the image.
 std::optional<std::size_t> node_at(const ViewedScene& viewed, const Profile& profile, int x, int y, Rays& rays);
 

@@ -134,6 +134,24 @@ nb::object scene(SharedEnvironment& self) {
   return nb::module_::import_("json").attr("loads")(text);
 }
 
+Viewpoint viewpoint_of(const std::string& camera) {
+  for (const Viewpoint viewpoint : kViewpoints) {
+    if (name_of(viewpoint) == camera) return viewpoint;
+  }
+  throw PythonError("no camera is named \"" + camera + "\"; accepted are agent, behind and above");
+}
+
+nb::dict channels(SharedEnvironment& self, int width, int height, const std::string& camera) {
+  std::vector<std::string> ids;
+  auto all = self.alone([&](SharedEnvironment& own) {
+    const Viewpoint viewpoint = viewpoint_of(camera);
+    for (const Node& node : own.environment_.scene().nodes) ids.push_back(node.id);
+    if (viewpoint != Viewpoint::Agent) ids.emplace_back("agent");
+    return value_of(own.environment_.channels(width, height, viewpoint));
+  });
+  return to_python(std::move(all), ids);
+}
+
 void define_acting(nb::class_<SharedEnvironment>& environment) {
   environment
       .def(
@@ -157,11 +175,13 @@ void define_acting(nb::class_<SharedEnvironment>& environment) {
           "The present observation, as reset gives it.")
       .def(
           "render",
-          [](SharedEnvironment& self, int width, int height) {
-            return to_python(
-                self.alone([&](SharedEnvironment& own) { return value_of(own.environment_.render(width, height)); }));
+          [](SharedEnvironment& self, int width, int height, const std::string& camera) {
+            return to_python(self.alone([&](SharedEnvironment& own) {
+              return value_of(own.environment_.render(width, height, viewpoint_of(camera)));
+            }));
           },
-          "width"_a, "height"_a, "What the head camera shows: uint8 (height, width, 3). Raises Error for a size.")
+          "width"_a, "height"_a, "camera"_a = "agent",
+          "What a camera (agent, behind, above) shows: uint8 (height, width, 3). Raises Error for a size or camera.")
       .def(
           "prompt",
           [](SharedEnvironment& self, bool reasoning) {
@@ -216,6 +236,11 @@ void define_privileged(nb::class_<SharedEnvironment>& environment) {
           },
           "How many actions of M1 the expert's plan from here has, `stop` included; None when it finds none. Not for "
           "the agent; takes up to some 100 ms.")
+      .def(
+          "channels", &channels, "width"_a, "height"_a, "camera"_a = "agent",
+          nb::sig("def channels(self, width: int, height: int, camera: str = 'agent') -> dict[str, typing.Any]"),
+          "Depth, normals, instances and ids of the picture that `render` gives. Not for the agent. Raises Error as it "
+          "does.")
       .def(
           "snapshot",
           [](SharedEnvironment& self) {

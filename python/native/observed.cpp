@@ -68,6 +68,20 @@ nb::object to_python(Picture picture) {
   return owned_array(std::move(picture.rgb), {height, width, 3});
 }
 
+nb::dict to_python(Channels channels, const std::vector<std::string>& ids) {
+  const auto height = static_cast<std::size_t>(channels.height), width = static_cast<std::size_t>(channels.width);
+  for (std::int32_t& node : channels.node) ++node;
+  nb::list names;
+  names.append("");
+  for (const std::string& id : ids) names.append(id);
+  nb::dict arrays;
+  arrays["depth"] = owned_array(std::move(channels.depth), {height, width});
+  arrays["normals"] = owned_array(std::move(channels.normal), {height, width, 3});
+  arrays["instances"] = owned_array(std::move(channels.node), {height, width});
+  arrays["ids"] = std::move(names);
+  return arrays;
+}
+
 nlohmann::ordered_json executed_to_json(const std::vector<ExecutedAction>& executed) {
   auto list = nlohmann::ordered_json::array();
   for (const auto& one : executed) {

@@ -4,10 +4,12 @@
 #include <nanobind/ndarray.h>
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "environment/environment.h"
 #include "python/native/array_form.h"
+#include "simulation/channels.h"
 #include "simulation/picture.h"
 
 namespace unietp::python {
@@ -33,6 +35,11 @@ nanobind::object array_of(std::vector<double> numbers);
 nanobind::object array_of(std::vector<std::uint8_t> numbers);
 /// An array uint8 (height, width, 3).
 nanobind::object to_python(Picture picture);
+
+/// {"depth": float32 (height, width), "normals": float32 (height, width, 3), "instances": int32 (height, width), "ids":
+/// list of str}; `instances` holds positions in `ids`, the first of which is "" for walls, floor and ceiling. `ids`:
+/// of the nodes, in their order.
+nanobind::dict to_python(Channels channels, const std::vector<std::string>& ids);
 
 /// What the executed actions came to and changed, privileged: a list of {"action", "args", "success", "failure",
 /// "feedback", "counted", "changes"}, as in demonstrations/<mode>.jsonl.

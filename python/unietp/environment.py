@@ -11,6 +11,7 @@ from unietp.spaces import MOST_SEED, EnvironmentSpaces, action_bytes, numbered
 from unietp.task_source import TaskSource
 
 Snapshot = _native.Snapshot
+CAMERAS = ("agent", "behind", "above")
 
 
 class TaskEnv(gymnasium.Env[dict[str, np.ndarray], Any]):
@@ -36,11 +37,15 @@ class TaskEnv(gymnasium.Env[dict[str, np.ndarray], Any]):
         env_spaces: EnvironmentSpaces,
         *,
         render_mode: str | None = None,
+        render_camera: str = "agent",
         privileged: bool = False,
     ):
+        if render_camera not in CAMERAS:
+            raise Error(f"no camera is named {render_camera!r}; accepted are {', '.join(CAMERAS)}")
         if render_mode is not None and render_mode not in self.metadata["render_modes"]:
             raise Error(f"no render_mode is named {render_mode!r}; accepted are {self.metadata['render_modes']}")
         self.render_mode = render_mode
+        self.render_camera = render_camera
         self.settings = env_spaces.settings  #: all settings by name
         self.observation_space = cast("gymnasium.Space[dict[str, np.ndarray]]", env_spaces.observation_space)
         self.action_space = env_spaces.action_space
@@ -97,10 +102,10 @@ class TaskEnv(gymnasium.Env[dict[str, np.ndarray], Any]):
         return observation, reward, terminated, truncated, info
 
     def render(self) -> Any:
-        """The picture (uint8, height × width × 3) or the text, as `render_mode` says; None without one."""
+        """The picture (uint8, height × width × 3) or the text, as `render_mode` says; None without one. `render_camera`
+        says what takes the picture."""
         if self.render_mode == "rgb_array":
-            height, width, _ = self._env_spaces.image_shape
-            return self._started().render(width, height)
+            return self._started().render(*self._size(None), self.render_camera)
         return self.text() if self.render_mode == "ansi" else None
 
     def close(self) -> None:
@@ -138,7 +143,10 @@ class TaskEnv(gymnasium.Env[dict[str, np.ndarray], Any]):
 
     def clone(self) -> "TaskEnv":
         """An independent copy at the same state."""
-        other = TaskEnv(self._source, self._env_spaces, render_mode=self.render_mode, privileged=self._privileged)
+        other = TaskEnv(
+            self._source, self._env_spaces, render_mode=self.render_mode, render_camera=self.render_camera,
+            privileged=self._privileged,
+        )
         other._seed, other._episode = self._seed, self._episode
         other._native = _native.Environment(self._started().task, self._env_spaces.text, self._env_spaces.encoding)
         other._native.restore(self.snapshot())
@@ -155,6 +163,29 @@ class TaskEnv(gymnasium.Env[dict[str, np.ndarray], Any]):
         """What the last step's actions came to and changed, as in demonstrations/<mode>.jsonl."""
         return self._started().executed()
 
+    def channels(self, camera: str = "agent", size: tuple[int, int] | None = None) -> dict[str, Any]:
+        """What a camera sees, as numbers for each pixel.
+
+        Args:
+            camera: "agent"; "behind", which follows the agent; or "above", which shows the whole home. The last two show
+                the agent too.
+            size: width and height in pixels, 16 to 4096; by default those of `render`.
+
+        Returns:
+            "color" uint8 (height, width, 3); "depth" float32 (height, width), meters along the view direction, infinite
+            where nothing is; "normals" float32 (height, width, 3), unit vectors of the surface in the camera's frame (x
+            right, y down, z ahead), 0 where nothing is; "instances" int32 (height, width), positions in "ids"; "ids",
+            whose first is "" (walls, floor, ceiling) and whose last is "agent" where it is shown. All but the color are
+            of the nearest surface, glass included, and leave out liquids, flames and what the agent's own camera shows
+            in its hands.
+
+        Raises:
+            Error: there is no such camera, or the size is out of range.
+        """
+        width, height = self._size(size)
+        native = self._started()
+        return {"color": native.render(width, height, camera), **native.channels(width, height, camera)}
+
     def scene(self) -> dict[str, Any]:
         """The scene graph with all relations."""
         return self._started().scene()
@@ -162,6 +193,10 @@ class TaskEnv(gymnasium.Env[dict[str, np.ndarray], Any]):
     def expert_steps_left(self) -> int | None:
         """Actions of M1 that the expert's plan from here has, `stop` included; None when it finds no plan."""
         return self._started().expert_steps_left()
+
+    def _size(self, size: tuple[int, int] | None) -> tuple[int, int]:
+        height, width, _ = self._env_spaces.image_shape
+        return (width, height) if size is None else size
 
     def _started(self) -> _native.Environment:
         if self._native is None:

@@ -35,6 +35,7 @@ def make(
     *,
     procedural: dict[str, Any] | None = None,
     render_mode: str | None = None,
+    render_camera: str = "agent",
     max_things: int = 512,
     privileged: bool = False,
     **settings: Any,
@@ -47,6 +48,7 @@ def make(
         procedural: instead of `tasks`: what new tasks to make, any of simulators, splits, templates, modes (lists of
             names), sense ("usual", "tolerable" or "any"; docs/sense.md), homes (how many of each simulator, 16), homes_seed (1) and attempts (200); `{}` for all kinds.
         render_mode: what `render` gives: "rgb_array", "ansi" or None.
+        render_camera: what takes its picture: "agent"; "behind", which follows the agent; or "above" the whole home.
         max_things: rows of the array `things`, and so the number of things that actions can name by number.
         privileged: put what the agent must not know into `info["privileged"]`.
         settings: see `complete_settings`; `picture=False` makes steps some times faster.
@@ -55,8 +57,8 @@ def make(
         Error: the folder, the task or a setting is wrong.
     """
     return gymnasium.make(
-        _name_of(mode), dataset=_plain(tasks), procedural=procedural, render_mode=render_mode, max_things=max_things,
-        privileged=privileged, disable_env_checker=True, **settings,
+        _name_of(mode), dataset=_plain(tasks), procedural=procedural, render_mode=render_mode,
+        render_camera=render_camera, max_things=max_things, privileged=privileged, disable_env_checker=True, **settings,
     )  # type: ignore[return-value]
 
 
@@ -99,12 +101,16 @@ def make_single(
     dataset: str | None = None,
     procedural: dict[str, Any] | None = None,
     render_mode: str | None = None,
+    render_camera: str = "agent",
     max_things: int = 512,
     privileged: bool = False,
     **settings: Any,
 ) -> TaskEnv:
     source = _task_source(dataset, procedural)
-    return TaskEnv(source, _env_spaces(source, mode, settings, max_things), render_mode=render_mode, privileged=privileged)
+    return TaskEnv(
+        source, _env_spaces(source, mode, settings, max_things), render_mode=render_mode, render_camera=render_camera,
+        privileged=privileged,
+    )
 
 
 def make_batch(

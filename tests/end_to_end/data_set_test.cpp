@@ -1,5 +1,6 @@
 // The whole path: what the real program makes, and what it says of a data set that was tampered with.
 #include <set>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -76,6 +77,50 @@ TEST(DataSet, AnotherSeedGivesOtherTasks) {
   for (const auto& task : json_lines(folder.path() / "other" / "tasks.jsonl"))
     EXPECT_THAT(bytes_below(small_data_set())["tasks.jsonl"],
                 ::testing::Not(HasSubstr(task["instruction"]["text"].get<std::string>() + "\",\"writer")));
+}
+
+/// Width and height of a PNG file.
+std::pair<int, int> size_of_png(const std::string& bytes) {
+  const auto number = [&](std::size_t at) {
+    int value = 0;
+    for (std::size_t i = at; i < at + 4; ++i) value = 256 * value + static_cast<unsigned char>(bytes.at(i));
+    return value;
+  };
+  return {number(16), number(20)};
+}
+
+TEST(DataSet, ATaskIsPicturedInAnySizeByEveryCameraAndChannel) {
+  const ScratchFolder folder;
+  const auto task = json_lines(small_data_set() / "tasks.jsonl").front()["id"].get<std::string>();
+  const auto render = [&](const std::string& out, std::vector<std::string> more) {
+    more.insert(more.begin(), {"render", small_data_set().string(), task, "--out", folder.at(out)});
+    return run_program(more);
+  };
+  std::set<std::string> pictures;
+  for (const std::string camera : {"agent", "behind", "above"}) {
+    for (const std::string channel : {"color", "depth", "normals", "instances"}) {
+      SCOPED_TRACE(camera + " " + channel);
+      const auto ended = render("one.png", {"--camera", camera, "--channel", channel, "--size", "96x64"});
+      ASSERT_EQ(ended.code, 0) << ended.err;
+      const auto bytes = *read_file(folder.at("one.png"));
+      EXPECT_EQ(size_of_png(bytes), std::pair(96, 64));
+      pictures.insert(bytes);
+      EXPECT_EQ(ended.out.empty(), channel != "instances");
+      EXPECT_EQ(ended.out.find(",agent\n") != std::string::npos, channel == "instances" && camera != "agent");
+    }
+  }
+  EXPECT_EQ(pictures.size(), 12U);
+  for (const std::string size : {"63x64", "64x1025", "64", "64x", "x64", "64x64x64", "-64x64", "64.5x64", "0x10"}) {
+    const auto refused = render("no.png", {"--size", size});
+    EXPECT_EQ(refused.code, 2) << size;
+    EXPECT_THAT(refused.err, HasSubstr("--size"));
+  }
+  EXPECT_EQ(render("no.svg", {"--size", "64x64"}).code, 2);
+  EXPECT_EQ(render("no.svg", {"--camera", "above"}).code, 2);
+  EXPECT_EQ(render("no.png", {"--camera", "above", "--boxes"}).code, 2);
+  EXPECT_EQ(render("no.png", {"--channel", "depth", "--boxes"}).code, 2);
+  EXPECT_EQ(render("no.png", {"--camera", "below"}).code, 2);
+  EXPECT_FALSE(fs::exists(folder.at("no.png")) || fs::exists(folder.at("no.svg")));
 }
 
 TEST(DataSet, ATaskIsDrawnFromAbove) {

@@ -1,4 +1,7 @@
 // The columns of a mode, each set alone: what an agent is told, what it may do, and how an episode ends.
+#include <algorithm>
+#include <set>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -236,6 +239,25 @@ TEST(AnEpisodeUnderSettings, HasPicturesAndBoxesInTheSizeThatWasAskedFor) {
   }
   EXPECT_EQ(environment.render(64, 48)->width, 64);
   EXPECT_FALSE(environment.render(64, 1 << 20));
+  EXPECT_FALSE(environment.channels(8, 64));
+}
+
+TEST(AnEpisodeUnderSettings, HasDepthNormalsAndObjectsOfEveryViewpointsPicture) {
+  Environment environment = house_environment(settings_for(Mode::M1));
+  (void)environment.step(say("go_to", "fridge_1"));
+  const auto agent = static_cast<std::int32_t>(environment.scene().nodes.size());
+  std::set<std::vector<std::uint8_t>> pictures;
+  for (const Viewpoint viewpoint : kViewpoints) {
+    const auto channels = environment.channels(64, 48, viewpoint);
+    ASSERT_TRUE(channels);
+    EXPECT_EQ(channels->depth.size(), 64U * 48);
+    EXPECT_EQ(channels->normal.size(), 3U * 64 * 48);
+    const auto last = *std::max_element(channels->node.begin(), channels->node.end());
+    EXPECT_EQ(last == agent, viewpoint != Viewpoint::Agent) << name_of(viewpoint);
+    EXPECT_LE(last, agent);
+    pictures.insert(environment.render(64, 48, viewpoint)->rgb);
+  }
+  EXPECT_EQ(pictures.size(), 3U);
 }
 
 TEST(AnEpisodeUnderSettings, TellsBoxesInTheFormInWhichItReadsThem) {

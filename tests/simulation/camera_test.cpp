@@ -8,6 +8,7 @@
 
 #include "core/png.h"
 #include "core/rng.h"
+#include "simulation/channels.h"
 #include "simulation/picture.h"
 #include "simulation/relations.h"
 #include "simulation/solids.h"
