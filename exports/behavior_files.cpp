@@ -65,12 +65,7 @@ Result<std::string> write_behavior_files(const ExportRequest& request) {
 }  // namespace
 
 ExportFormat behavior_format() {
-  return {"behavior",
-          "BEHAVIOR's activities, and their exact goals over BDDL's literals",
-          {},
-          true,
-          write_behavior_files,
-          true,
+  return {"behavior",         "BEHAVIOR's activities, and goals over time", {}, true, write_behavior_files, true,
           Simulator::Behavior};
 }
 

@@ -84,7 +84,7 @@ std::vector<WritingCommand> writing_commands() {
       {"template new", "template new mine --like place-one-on --out out", "out", true},
   };
   for (const char* format :
-       {"sft", "unietp-release", "bddl", "pddl", "ltlf", "virtualhome", "ai2thor", "behavior", "starts", "forms"})
+       {"sft", "unietp-release", "bddl", "pddl", "ltlf", "virtualhome", "ai2thor", "behavior", "starts"})
     commands.push_back(
         {std::string("export ") + format, std::string("export data --format ") + format + " --out out", "out"});
   return commands;
