@@ -292,15 +292,17 @@ bool Reach::room_for_all(const std::vector<std::size_t>& things, std::size_t tar
   return fit_together(fitting);
 }
 
-bool Reach::swings(std::size_t index) const {
-  const Node& node = scene_.nodes[index];
+bool Reach::swings(std::size_t node) const { return !what_blocks(scene_, world_, node); }
+
+std::optional<BodyId> what_blocks(const Scene& scene, const PhysicsWorld& world, std::size_t index) {
+  const Node& node = scene.nodes[index];
   const auto body = BodyId::node(index);
-  const Shape& shape = world_.collider(body).shape;
-  if (node.movable || !node.openable || shape.joints.empty()) return true;
+  const Shape& shape = world.collider(body).shape;
+  if (node.movable || !node.openable || shape.joints.empty()) return std::nullopt;
   const auto swept = sweep_of(node);
-  auto ignore = loose_near(scene_, world_, swept.value_or(world_.bounds(body)), 0, index);
+  auto ignore = loose_near(scene, world, swept.value_or(world.bounds(body)), 0, index);
   ignore.push_back(body);
-  return !joint_obstacle(world_, node, shape, node.opening < 0.5 ? 1 : 0, ignore);
+  return joint_obstacle(world, node, shape, node.opening < 0.5 ? 1 : 0, ignore);
 }
 
 std::vector<std::size_t> Reach::shut_around(std::size_t index) const {

@@ -17,6 +17,10 @@
 
 namespace unietp {
 
+/// What a piece of furniture's door, lid or drawer meets of fixed bodies when it is moved all its way; nullopt for
+/// nothing, for what can be carried, and for what has no joints.
+std::optional<BodyId> what_blocks(const Scene& scene, const PhysicsWorld& world, std::size_t node);
+
 /// Where the body can stand in a scene that grew out of a home, and what its arm and its eye reach from there, behind
 /// doors that it can open too. Questions of geometry by the rules of the actions; nothing is done. All that is passed
 /// must outlive it.
@@ -42,8 +46,7 @@ class Reach {
   /// The same for several things at once, none of which is asked for alone: each has a spot of its own. True, too,
   /// where they plainly find room, and inside where one of them could take another.
   bool room_for_all(const std::vector<std::size_t>& things, std::size_t target, bool inside);
-  /// A piece of furniture's door, lid or drawer can be moved all its way without meeting anything fixed. True for what
-  /// can be carried, and for what has no joints.
+  /// Nothing blocks it (what_blocks).
   bool swings(std::size_t node) const;
 
  private:

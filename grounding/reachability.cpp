@@ -37,6 +37,49 @@ bool is_rectangle(const Room& room, const Bounds& bounds) {
          });
 }
 
+/// The agent can walk to most of the room's free floor, of which there is some.
+bool is_reached(const Scene& scene, const Room& room, const Walk& walk) {
+  const NavigationGrid& grid = walk.grid;
+  const Bounds bounds = room_bounds(room, scene.wall_height);
+  const auto from = grid.cell_at(bounds.low.head<2>()), to = grid.cell_at(bounds.high.head<2>());
+  int open = 0, reached = 0;
+  if (is_rectangle(room, bounds)) {
+    const auto column_inside = [&](int x) {
+      const double at = grid.centre({x, from.y}).x();
+      return at > bounds.low.x() && at < bounds.high.x();
+    };
+    const auto row_inside = [&](int y) {
+      const double at = grid.centre({from.x, y}).y();
+      return at > bounds.low.y() && at < bounds.high.y();
+    };
+    int left = std::max(0, from.x), right = std::min(grid.width() - 1, to.x);
+    int first = std::max(0, from.y), last = std::min(grid.height() - 1, to.y);
+    while (left <= right && !column_inside(left)) ++left;
+    while (left <= right && !column_inside(right)) --right;
+    while (first <= last && !row_inside(first)) ++first;
+    while (first <= last && !row_inside(last)) --last;
+    bool all = true, some = false;  // as nearly always: all that is free is reached
+    for (int y = first; y <= last && all; ++y) {
+      all = walk.reached.covers(grid.free_cells(), y, left, right);
+      some = some || walk.reached.count(y, left, right) > 0;
+    }
+    if (all && some) return true;
+    for (int y = first; y <= last; ++y) {
+      open += grid.free_cells().count(y, left, right);
+      reached += walk.reached.count(y, left, right);
+    }
+  } else {
+    for (int y = from.y; y <= to.y; ++y) {
+      for (int x = from.x; x <= to.x; ++x) {
+        if (!grid.free({x, y}) || !contains(room.polygon, grid.centre({x, y}))) continue;
+        ++open;
+        if (walk.reached.has(x, y)) ++reached;
+      }
+    }
+  }
+  return reached > 0 && 2 * reached >= open;
+}
+
 }  // namespace
 
 Walk walk_in(const Scene& scene, const Profile& profile) {
@@ -57,48 +100,18 @@ bool stand_at_entrance(Scene& scene, const NavigationGrid& grid) {
 }
 
 std::optional<std::string> unreached_room(const Scene& scene, const Walk& walk) {
-  const NavigationGrid& grid = walk.grid;
   for (const Room& room : scene.rooms) {
-    const Bounds bounds = room_bounds(room, scene.wall_height);
-    const auto from = grid.cell_at(bounds.low.head<2>()), to = grid.cell_at(bounds.high.head<2>());
-    int open = 0, reached = 0;
-    if (is_rectangle(room, bounds)) {
-      const auto column_inside = [&](int x) {
-        const double at = grid.centre({x, from.y}).x();
-        return at > bounds.low.x() && at < bounds.high.x();
-      };
-      const auto row_inside = [&](int y) {
-        const double at = grid.centre({from.x, y}).y();
-        return at > bounds.low.y() && at < bounds.high.y();
-      };
-      int left = std::max(0, from.x), right = std::min(grid.width() - 1, to.x);
-      int first = std::max(0, from.y), last = std::min(grid.height() - 1, to.y);
-      while (left <= right && !column_inside(left)) ++left;
-      while (left <= right && !column_inside(right)) --right;
-      while (first <= last && !row_inside(first)) ++first;
-      while (first <= last && !row_inside(last)) --last;
-      bool all = true, some = false;  // as nearly always: all that is free is reached
-      for (int y = first; y <= last && all; ++y) {
-        all = walk.reached.covers(grid.free_cells(), y, left, right);
-        some = some || walk.reached.count(y, left, right) > 0;
-      }
-      if (all && some) continue;
-      for (int y = first; y <= last; ++y) {
-        open += grid.free_cells().count(y, left, right);
-        reached += walk.reached.count(y, left, right);
-      }
-    } else {
-      for (int y = from.y; y <= to.y; ++y) {
-        for (int x = from.x; x <= to.x; ++x) {
-          if (!grid.free({x, y}) || !contains(room.polygon, grid.centre({x, y}))) continue;
-          ++open;
-          if (walk.reached.has(x, y)) ++reached;
-        }
-      }
-    }
-    if (reached == 0 || 2 * reached < open) return room.id;
+    if (!is_reached(scene, room, walk)) return room.id;
   }
   return std::nullopt;
+}
+
+std::vector<std::string> unreached_rooms(const Scene& scene, const Walk& walk) {
+  std::vector<std::string> ids;
+  for (const Room& room : scene.rooms) {
+    if (!is_reached(scene, room, walk)) ids.push_back(room.id);
+  }
+  return ids;
 }
 
 std::vector<std::size_t> unreached_furniture(const Scene& scene, const PhysicsWorld& world, const Profile& profile,

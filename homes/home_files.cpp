@@ -21,7 +21,7 @@ Simulator simulator_of(const HomeInFile& home) {
 }
 
 HomesReading read_homes(const std::vector<fs::path>& paths, const std::vector<Backend>& backends,
-                        const FormatFacts& facts) {
+                        const FormatFacts& facts, const fs::path& models) {
   HomesReading reading;
   std::vector<fs::path> foreign;
   for (const auto& file : scene_files_of(paths, reading.errors)) {
@@ -32,16 +32,17 @@ HomesReading read_homes(const std::vector<fs::path>& paths, const std::vector<Ba
       foreign.push_back(file);
     } else if (auto scene = scene_from_json(file.string(), *text)) {
       auto id = scene->id;
-      reading.homes.push_back({std::move(id), std::move(*scene)});
+      reading.homes.push_back({std::move(id), std::move(*scene), file});
     } else {
       reading.errors.push_back(scene.error());
     }
   }
-  auto others = read_foreign_scenes("auto", foreign, backends, facts);
+  auto others = read_foreign_scenes("auto", foreign, backends, facts, models);
   reading.errors.insert(reading.errors.end(), others.errors.begin(), others.errors.end());
   for (auto& home : others.homes) {
     auto id = home.source.id;
-    reading.homes.push_back({std::move(id), std::move(home)});
+    auto file = home.file;
+    reading.homes.push_back({std::move(id), std::move(home), std::move(file)});
   }
   return reading;
 }

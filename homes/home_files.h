@@ -16,6 +16,7 @@ namespace unietp {
 struct HomeInFile {
   std::string id;
   std::variant<Scene, ForeignHome> content;
+  std::filesystem::path file;
 };
 
 /// That of the scene, or of the format.
@@ -28,10 +29,10 @@ struct HomesReading {
 };
 
 /// Reads scene files, ours and the simulators' (whose format is detected), and all scene files
-/// (*.scene.json, *.scene.json.gz) of folders. Errors: those of the readers; Usage for a folder without any scene file,
-/// and for a file that is in no known format.
+/// (*.scene.json, *.scene.json.gz) of folders. `models`: as read_foreign_scenes takes them. Errors: those of the
+/// readers; Usage for a folder without any scene file, and for a file that is in no known format.
 HomesReading read_homes(const std::vector<std::filesystem::path>& paths, const std::vector<Backend>& backends,
-                        const FormatFacts& facts);
+                        const FormatFacts& facts, const std::filesystem::path& models = {});
 
 /// The home as a scene, with every object where its file places it. Errors: those of assemble.
 Result<Scene> scene_of(const HomeInFile& home, const std::vector<Backend>& backends, const FormatFacts& facts);

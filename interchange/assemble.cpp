@@ -1,4 +1,5 @@
 #include <array>
+#include <utility>
 
 #include "core/limits.h"
 #include "interchange/draft.h"
@@ -13,6 +14,29 @@ constexpr std::array<std::string_view, 15> kReasons{
     "not-finite",       "outside-rooms",      "relation-lost", "restless", "too-far", "typical-size",
     "unknown-category", "unknown-receptacle", "unknown-state"};  // in the order of the enum
 
+constexpr std::array<std::string_view, 15> kImportTreatments{"kept; the agent cannot walk into it",
+                                                             "kept without the relation",
+                                                             "left out",
+                                                             "kept as the upright box around it",
+                                                             "kept where it came to rest",
+                                                             "left out",
+                                                             "left out",
+                                                             "left out",
+                                                             "kept where it is",
+                                                             "kept in place, fixed: it cannot be picked up",
+                                                             "left out",
+                                                             "kept with the usual size of its category",
+                                                             "left out",
+                                                             "kept without the relation",
+                                                             "kept without the state"};
+
+constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kRepairNames{
+    {{"board", "something hung in the air above it: a board was put under that"},
+     {"cut", "something else was inside it: cut away there"},
+     {"lowered", "it stood higher than what stands beside it: set down to one level"},
+     {"settled", "it was not at rest: let go until it was"},
+     {"surface", "things stood above or below its surface: the surface was moved to them"}}};
+
 std::string more_than(std::size_t count, std::size_t most, const std::string& what) {
   return std::to_string(count) + " " + what + "; accepted are at most " + std::to_string(most);
 }
@@ -20,6 +44,9 @@ std::string more_than(std::size_t count, std::size_t most, const std::string& wh
 }  // namespace
 
 std::string_view name_of(ImportReason reason) { return kReasons[static_cast<std::size_t>(reason)]; }
+std::string_view treatment_of(ImportReason reason) { return kImportTreatments[static_cast<std::size_t>(reason)]; }
+std::string_view name_of(RepairKind kind) { return kRepairNames[static_cast<std::size_t>(kind)].first; }
+std::string_view meaning_of(RepairKind kind) { return kRepairNames[static_cast<std::size_t>(kind)].second; }
 
 Result<ImportedScene> assemble(const SourceScene& source, const Knowledge& knowledge, const Profile& profile,
                                const FormatFacts& facts, const ImportOptions& options) {
@@ -39,6 +66,8 @@ Result<ImportedScene> assemble(const SourceScene& source, const Knowledge& knowl
   if (std::string wrong = excess_of(scene); !wrong.empty()) return refuse(std::move(wrong));
   Draft draft = draft_of(source, std::move(scene), knowledge, facts);
   if (draft.scene.rooms.empty()) return refuse("the file has no rooms, and no objects around which to draw one");
+  if (source.rooms.empty()) draft.report.rooms_drawn = static_cast<int>(draft.scene.rooms.size());
+  if (source.openings.empty()) draft.report.openings_made = static_cast<int>(draft.scene.openings.size());
   if (draft.scene.nodes.empty()) return refuse("no object of a known category can be placed");
   follow_evidence(draft);
   draft.report.arrived = count_in_place(source, draft, !options.settle);
@@ -47,6 +76,7 @@ Result<ImportedScene> assemble(const SourceScene& source, const Knowledge& knowl
   draft.scene.edges = read_relations(draft.scene);
   draft.report.stayed = count_in_place(source, draft, options.settle);
   compare_relations(source, facts, draft);
+  report_repairs(source, draft);
   return ImportedScene{std::move(draft.scene), std::move(draft.report)};
 }
 

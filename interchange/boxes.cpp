@@ -1,5 +1,7 @@
 #include "interchange/boxes.h"
 
+#include <algorithm>
+
 namespace unietp {
 namespace {
 
@@ -38,6 +40,16 @@ bool cut(std::vector<Board>& boards, const Bounds& hole) {
   }
   boards = std::move(left);
   return any;
+}
+
+double depth_in(const std::vector<Board>& boards, const Bounds& hole) {
+  double deepest = 0;
+  for (const Board& board : boards) {
+    const Bounds solid = bounds_of(board);
+    const Vec3 out_up = solid.high - hole.low, out_down = hole.high - solid.low;  // ways out of the board
+    deepest = std::max(deepest, std::min(out_up.minCoeff(), out_down.minCoeff()));
+  }
+  return deepest;
 }
 
 Bounds grown(const Bounds& bounds, double sideways, double height) {

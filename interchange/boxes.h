@@ -18,6 +18,9 @@ Bounds bounds_of(const Board& board);
 /// hole does not touch stay as they are. True when anything was cut.
 bool cut(std::vector<Board>& boards, const Bounds& hole);
 
+/// How deep the hole is in one of the boards, the most of all; 0 when it is in none.
+double depth_in(const std::vector<Board>& boards, const Bounds& hole);
+
 /// The bounds grown (or shrunk) sideways and in height.
 Bounds grown(const Bounds& bounds, double sideways, double height);
 

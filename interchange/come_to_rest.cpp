@@ -1,23 +1,16 @@
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <vector>
 
 #include "interchange/draft.h"
+#include "simulation/drift.h"
 #include "simulation/relations.h"
 
 namespace unietp {
 namespace {
 
 constexpr double kStill_m = 0.001;  // a round in which nothing moves farther is the last
-constexpr double kRestless_m = 0.002, kRestless_s = 2;
-
-std::vector<BodyId> loose_ones(const Scene& scene) {
-  std::vector<BodyId> loose;
-  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-    if (scene.nodes[i].movable) loose.push_back(BodyId::node(i));
-  }
-  return loose;
-}
+constexpr double kRestless_m = 0.002;
 
 void settle_in_rounds(Scene& scene) {
   constexpr int kMostRounds = 5;
@@ -27,7 +20,7 @@ void settle_in_rounds(Scene& scene) {
   double moved = 1;
   for (int round = 0; round < kMostRounds && moved > kStill_m; ++round) {
     moved = 0;
-    for (const SettledBody& settled : world.settle(loose_ones(scene), options).bodies) {
+    for (const SettledBody& settled : world.settle(loose_bodies(scene), options).bodies) {
       Pose& pose = scene.nodes.edit(settled.body.index()).pose;
       moved = std::max(moved, (settled.pose.position - pose.position).norm());
       pose = settled.pose;
@@ -36,37 +29,17 @@ void settle_in_rounds(Scene& scene) {
   }
 }
 
-struct Restless {
-  std::size_t node = 0;
-  double moved_m = 0;
-};
-
-/// What moves in two seconds of physics, in whichever order the solver takes the bodies: what rests in one order alone
-/// starts to creep as soon as a task adds something elsewhere.
-std::vector<Restless> restless_ones(const Scene& scene) {
-  SettleOptions options;
-  options.max_steps = options.calm_steps = static_cast<int>(std::lround(kRestless_s / options.step_s));
-  const PhysicsWorld world = physics_of(scene);
-  auto loose = loose_ones(scene);
-  std::map<std::size_t, double> farthest;
-  for (int order = 0; order < 2; ++order, std::reverse(loose.begin(), loose.end())) {
-    for (const SettledBody& settled : world.settle(loose, options).bodies) {
-      const double moved = (settled.pose.position - scene.nodes[settled.body.index()].pose.position).norm();
-      if (moved <= kRestless_m) continue;  // not so what is no number
-      double& so_far = farthest[settled.body.index()];
-      so_far = std::max(so_far, std::isnan(moved) ? 1.0 : moved);
-    }
-  }
-  std::vector<Restless> found;
-  for (const auto& [node, moved] : farthest) found.push_back({node, moved});
-  return found;
-}
-
 }  // namespace
 
 void come_to_rest(const SourceScene& source, Draft& draft) {
   constexpr int kMostRounds = 10;  // a home that is not calm by then would take hours
+  std::vector<Vec3> before;
+  for (const Node& node : draft.scene.nodes) before.push_back(node.pose.position);
   settle_in_rounds(draft.scene);
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const double moved = (draft.scene.nodes[i].pose.position - before[i]).norm();
+    if (moved > 0) draft.repairs.push_back({i, RepairKind::Settled, std::nullopt, moved});
+  }
   const auto fix = [&](std::size_t node, std::string why) {
     const SourceObject& object = source.objects[draft.source_of[node]];
     draft.report.issues.push_back(
@@ -75,14 +48,14 @@ void come_to_rest(const SourceScene& source, Draft& draft) {
   };
   // Piles that no rigid bodies make keep creeping: they stay as they are, as furniture does.
   for (int round = 0; round < kMostRounds; ++round) {
-    const auto restless = restless_ones(draft.scene);
+    const auto restless = drifting(draft.scene, physics_of(draft.scene), kRestless_m);
     if (restless.empty()) return;
-    for (const Restless& one : restless) {
+    for (const Drift& one : restless) {
       const long millimetres = std::lround(std::min(one.moved_m, 1000.0) * 1000);
       fix(one.node, "it drifts " + std::to_string(millimetres) + " mm in two seconds of physics and is fixed in place");
     }
   }
-  for (const BodyId loose : loose_ones(draft.scene))
+  for (const BodyId loose : loose_bodies(draft.scene))
     fix(loose.index(), "the home does not come to rest, and it is fixed in place with all the others");
 }
 

@@ -84,6 +84,19 @@ int count_in_place(const SourceScene& source, Draft& draft, bool list) {
   return near;
 }
 
+void report_repairs(const SourceScene& source, Draft& draft) {
+  constexpr double kLeast_m = 0.001;  // physics lets resting bodies sink into one another by less
+  std::stable_sort(draft.repairs.begin(), draft.repairs.end(),
+                   [](const DraftRepair& a, const DraftRepair& b) { return a.node < b.node; });
+  for (const DraftRepair& repair : draft.repairs) {
+    if (repair.by_m < kLeast_m) continue;
+    const SourceObject& object = source.objects[draft.source_of[repair.node]];
+    draft.report.repairs.push_back({object.id, object.category, draft.scene.nodes[repair.node].id, repair.kind,
+                                    repair.other ? source.objects[draft.source_of[*repair.other]].id : "",
+                                    repair.by_m});
+  }
+}
+
 void compare_relations(const SourceScene& source, const FormatFacts& facts, Draft& draft) {
   const Holding holding(draft.scene);
   for (const DraftRelation& relation : draft.relations) {

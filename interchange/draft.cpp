@@ -12,6 +12,7 @@
 #include "interchange/category_names.h"
 #include "scene/archetype_dimensions.h"
 #include "scene/fresh_id.h"
+#include "scene/near_room.h"
 #include "simulation/shape.h"
 
 namespace unietp {
@@ -20,7 +21,6 @@ namespace {
 using Reason = ImportReason;
 
 constexpr double kThinnestBox_m = 0.002;  // physics needs some thickness
-constexpr double kOutside_m = 0.5;        // what lies farther from every room is not in the home
 constexpr double kLeaning_rad = 0.05;     // a tilt that physics would not keep
 constexpr double kSlab_m = 0.02;          // thickness of a laptop or book that was measured while open
 constexpr double kLightest_kg = 0.001;
@@ -28,23 +28,6 @@ constexpr double kLightest_kg = 0.001;
 bool finite(const SourceObject& object) {
   return object.pose.position.allFinite() && object.pose.rotation.coeffs().allFinite() && object.size.allFinite() &&
          std::isfinite(object.mass) && std::isfinite(object.opening);
-}
-
-double distance_to_edge(const std::vector<Vec2>& polygon, const Vec2& point) {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2 start = polygon[i], along = polygon[(i + 1) % polygon.size()] - start;
-    const double length = along.squaredNorm();
-    const double t = length > 0 ? std::clamp((point - start).dot(along) / length, 0.0, 1.0) : 0.0;
-    nearest = std::min(nearest, (point - start - t * along).norm());
-  }
-  return nearest;
-}
-
-bool near_a_room(const Scene& scene, const Vec2& point) {
-  return std::any_of(scene.rooms.begin(), scene.rooms.end(), [&](const Room& room) {
-    return contains(room.polygon, point) || distance_to_edge(room.polygon, point) < kOutside_m;
-  });
 }
 
 /// Rotation nearest to the given one that keeps some axis of the box upright, and how far away that is, radians.
@@ -126,7 +109,7 @@ class Placer {
       if (category != nullptr) draft_.structure.push_back(index);
       return;
     }
-    if (!near_a_room(draft_.scene, object.pose.position.head<2>())) {
+    if (!is_near_a_room(draft_.scene, object.pose.position.head<2>())) {
       return issue(object, Reason::OutsideRooms, "it lies more than half a metre from every room");
     }
     add_node(index, object, *category, asset);

@@ -23,6 +23,14 @@ struct DraftRelation {
   std::optional<std::size_t> node, held;  // positions in Scene::nodes, where object and receptacle are nodes
 };
 
+/// A repair of a node, and the node for which it was made.
+struct DraftRepair {
+  std::size_t node = 0;
+  RepairKind kind = RepairKind::Cut;
+  std::optional<std::size_t> other;
+  double by_m = 0;
+};
+
 /// A scene on its way in.
 struct Draft {
   Scene scene;
@@ -31,6 +39,7 @@ struct Draft {
   std::vector<Vec3> centre_in_node;    // the same point in the node's frame, as it was placed
   std::vector<std::size_t> structure;  // floors, walls, doors: positions in SourceScene::objects
   std::vector<DraftRelation> relations;
+  std::vector<DraftRepair> repairs;
   ImportReport report;
 };
 
@@ -56,6 +65,9 @@ void place_agent(const SourceScene& source, const Profile& profile, Draft& draft
 
 /// How many objects stand within kArrived_m of the file's pose; the others as issues when `list`.
 int count_in_place(const SourceScene& source, Draft& draft, bool list);
+
+/// Puts the draft's repairs of a millimetre or more into its report, in order of the nodes.
+void report_repairs(const SourceScene& source, Draft& draft);
 
 /// Counts the relations that still hold, and lists the others. Edges must have been read.
 void compare_relations(const SourceScene& source, const FormatFacts& facts, Draft& draft);

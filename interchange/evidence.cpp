@@ -31,7 +31,10 @@ struct Standing {
 class Evidence {
  public:
   explicit Evidence(Draft& draft)
-      : nodes_(draft.scene.nodes), boxes_(boxes_of(draft.scene.nodes)), holders_(draft, boxes_) {}
+      : nodes_(draft.scene.nodes),
+        boxes_(boxes_of(draft.scene.nodes)),
+        holders_(draft, boxes_),
+        repairs_(draft.repairs) {}
 
   void follow() {
     std::vector<std::size_t> order(nodes_.size());
@@ -90,12 +93,26 @@ class Evidence {
     return board_between({-half.x(), half.y() - std::min(kBoard_m, half.y()), -half.z()}, half);
   }
 
+  /// Cuts what node `other` takes up out of the boards of f.
+  bool cut_for(std::size_t f, std::size_t other, std::vector<Board>& boards, const std::vector<Bounds>& holes) {
+    bool any = false;
+    double deepest = 0;
+    for (const Bounds& hole : holes) {
+      deepest = std::max(deepest, depth_in(boards, hole));
+      any = cut(boards, hole) || any;
+    }
+    if (any) repairs_.push_back({f, RepairKind::Cut, other, deepest});
+    return any;
+  }
+
   /// Of two pieces of furniture that overlap the larger one gives way.
-  bool give_way_to_furniture(std::size_t f, std::vector<Board>& boards) const {
+  bool give_way_to_furniture(std::size_t f, std::vector<Board>& boards) {
     bool any = false;
     for (std::size_t g = 0; g < nodes_.size() && boards.size() <= kMostBoards; ++g) {
       if (g == f || nodes_[g].movable || !overlap(boxes_[g], boxes_[f]) || !holders_.smaller(g, f)) continue;
-      for (const Bounds& hole : hulls(f, g)) any = cut(boards, grown(hole, -kTouching_m, -kTouching_m)) || any;
+      std::vector<Bounds> holes = hulls(f, g);
+      for (Bounds& hole : holes) hole = grown(hole, -kTouching_m, -kTouching_m);
+      any = cut_for(f, g, boards, holes) || any;
     }
     return any;
   }
@@ -132,11 +149,17 @@ class Evidence {
     std::vector<bool> taken(shape.surfaces.size(), false);
     for (const auto& level : levels) {
       const double z = level.front().box.low.z();
-      for (const Standing& one : level) lower(one.node, one.box.low.z() - z);
+      for (const Standing& one : level) {
+        lower(one.node, one.box.low.z() - z);
+        repairs_.push_back({one.node, RepairKind::Lowered, f, one.box.low.z() - z});
+      }
       const auto surface = surface_for(shape, level, taken);
       if (!surface) continue;
       taken[*surface] = true;
-      changed = move_surface(f, shape.surfaces[*surface], z, boards) || changed;
+      if (!move_surface(f, shape.surfaces[*surface], z, boards)) continue;
+      changed = true;
+      repairs_.push_back(
+          {f, RepairKind::Surface, level.front().node, std::abs(z - shape.surfaces[*surface].centre.z())});
     }
     return changed;
   }
@@ -200,7 +223,7 @@ class Evidence {
   }
 
   /// Boards under what stands where f has no solid.
-  std::vector<Board> pads_for(std::size_t f, const std::vector<Board>& boards) const {
+  std::vector<Board> pads_for(std::size_t f, const std::vector<Board>& boards) {
     std::vector<Board> pads;
     for (const std::size_t child : holders_.children(f)) {
       if (!nodes_[child].movable) continue;
@@ -209,6 +232,7 @@ class Evidence {
       if (z - bottom < kTouching_m || supported(boards, box)) continue;
       pads.push_back(board_between(Vec3(box.low.x() - kPad_m, box.low.y() - kPad_m, bottom),
                                    Vec3(box.high.x() + kPad_m, box.high.y() + kPad_m, z), moves_with(f, box)));
+      repairs_.push_back({f, RepairKind::Board, child, air_below(boards, box, -nodes_[f].size.z() / 2)});
     }
     return pads;
   }
@@ -220,6 +244,20 @@ class Evidence {
       if (cavity.joint >= 0 && ((middle - cavity.centre).cwiseAbs() - cavity.half).maxCoeff() < 0) return cavity.joint;
     }
     return -1;
+  }
+
+  /// From the middle of the box's underside down to the next board, else to `bottom`.
+  static double air_below(const std::vector<Board>& boards, const Bounds& box, double bottom) {
+    const Vec2 middle = ((box.low + box.high) / 2).head<2>();
+    double below = bottom;
+    for (const Board& board : boards) {
+      const Bounds solid = unietp::bounds_of(board);
+      const bool under = ((middle - solid.low.head<2>()).array() > 0).all() &&
+                         ((solid.high.head<2>() - middle).array() > 0).all() &&
+                         solid.high.z() <= box.low.z() + kSupported_m;
+      if (under) below = std::max(below, solid.high.z());
+    }
+    return std::max(0.0, box.low.z() - below);
   }
 
   /// At least two thirds of the box's footprint have a board right below.
@@ -236,7 +274,7 @@ class Evidence {
 
   /// Cuts away what would overlap things that move; of two such things the larger gives way, and what holds always
   /// gives way to what it holds.
-  bool give_way_to_loose(std::size_t f, std::vector<Board>& boards) const {
+  bool give_way_to_loose(std::size_t f, std::vector<Board>& boards) {
     bool any = false;
     const Bounds around = grown(boxes_[f], 0.05, 0.05);
     for (std::size_t m = 0; m < nodes_.size() && boards.size() <= kMostBoards; ++m) {
@@ -245,7 +283,7 @@ class Evidence {
         continue;
       Bounds hole = seen_from(f, m);
       hole.low.z() += kTouching_m / 2;
-      any = cut(boards, hole) || any;
+      any = cut_for(f, m, boards, {hole}) || any;
     }
     return any;
   }
@@ -253,6 +291,7 @@ class Evidence {
   SharedList<Node>& nodes_;
   std::vector<Bounds> boxes_;  // W, as the joints stand
   Supports holders_;
+  std::vector<DraftRepair>& repairs_;
 };
 
 }  // namespace

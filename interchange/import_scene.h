@@ -34,6 +34,8 @@ enum class ImportReason : std::uint8_t {
   UnknownState,       // placed without it
 };
 std::string_view name_of(ImportReason reason);  // "cut-off"
+/// What is done then, for people: "left out".
+std::string_view treatment_of(ImportReason reason);
 
 /// One thing that did not come over as the file says.
 struct ImportIssue {
@@ -41,6 +43,28 @@ struct ImportIssue {
   ImportReason reason = ImportReason::CutOff;
   std::string detail;  // for people
   bool operator==(const ImportIssue&) const = default;
+};
+
+/// What was changed of an object that is in the home, so that the home holds together. Each has a distance.
+enum class RepairKind : std::uint8_t {
+  Board,    // something hangs above all its solids: a board was put under that; the air below it
+  Cut,      // something else is inside one of its solids: cut away there; the depth of the overlap
+  Lowered,  // it stood higher than what stands beside it: set down to one level
+  Settled,  // moved when everything came to rest
+  Surface,  // things stand above or below its surface: moved to where they stand
+};
+std::string_view name_of(RepairKind kind);  // "cut"
+/// What was wrong and what was done, for people.
+std::string_view meaning_of(RepairKind kind);
+
+/// One repair.
+struct ImportRepair {
+  std::string object, category;  // of what was changed, as the file names it
+  std::string node;              // the same in the scene
+  RepairKind kind = RepairKind::Cut;
+  std::string other;  // for what it was changed, as the file names it; "" when it is for itself
+  double by_m = 0;    // > 0
+  bool operator==(const ImportRepair&) const = default;
 };
 
 /// How much of a file arrived. What a home is built of (floors, walls, doors) is drawn as rooms and openings and counts
@@ -55,7 +79,10 @@ struct ImportReport {
   int relations_held = 0;  // of those: still true after settling
   int loose = 0;           // of the relations: those whose object can move
   int loose_held = 0;      // of those: still true after settling, as physics shows it
+  int rooms_drawn = 0;     // around the objects, of a file without rooms
+  int openings_made = 0;   // in shared walls, of a file without openings
   std::vector<ImportIssue> issues;
+  std::vector<ImportRepair> repairs;  // from a millimetre on, in order of the nodes
 };
 
 /// A scene made of a simulator's file.

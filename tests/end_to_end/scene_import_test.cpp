@@ -90,6 +90,72 @@ INSTANTIATE_TEST_SUITE_P(
         Sample{"behavior", "behavior", "small.behavior.json"}),
     name_of_sample);
 
+TEST_P(SmallHomes, AreExaminedByTheDoctor) {
+  const auto& sample = GetParam();
+  std::vector<std::string> arguments{"scene", "doctor", (kHomes / sample.file).string(), "--json"};
+  arguments.insert(arguments.end(), sample.more.begin(), sample.more.end());
+  const auto ended = run_program(arguments);
+  const auto json = Json::parse(ended.out, nullptr, false);
+  EXPECT_EQ(SchemaChecker().check(json, "scene-doctor.schema.json"), "");
+  ASSERT_EQ(json["homes"].size(), static_cast<std::size_t>(sample.homes)) << ended.out << ended.err;
+  bool sound = true;
+  for (const auto& home : json["homes"]) {
+    EXPECT_EQ(home["file_format"], sample.format);
+    sound = sound && home["faults"].empty();
+  }
+  EXPECT_EQ(ended.code, sound ? 0 : 1);
+  arguments.erase(arguments.begin() + 3);  // --json
+  const auto text = run_program(arguments);
+  EXPECT_EQ(text.code, ended.code);
+  EXPECT_THAT(text.out, HasSubstr(json["homes"][0]["id"].get<std::string>() + " (" + sample.format + ", "));
+  EXPECT_EQ(text.out.find("wrong with the home as it is now\n  ") == std::string::npos, sound) << text.out;
+}
+
+TEST(Doctor, SaysWhatIsWrongWithAFileWhatWasDoneAndWhatIsLeft) {
+  ScratchFolder folder;
+  auto kitchen = Json::parse(*read_file(kHomes / "kitchen.ithor.json"));
+  auto unknown = kitchen["objects"][1];
+  unknown["objectId"] = "Flumbus|1";
+  unknown["objectType"] = "Flumbus";
+  kitchen["objects"].push_back(unknown);
+  ASSERT_TRUE(write_file(folder.at("kitchen.json"), kitchen.dump()));
+  const auto ended = run_program({"scene", "doctor", folder.at("kitchen.json")});
+  EXPECT_THAT(ended.out, HasSubstr("1 unknown-category: left out\n           Flumbus|1 (Flumbus): "));
+  EXPECT_EQ(ended.err, "");
+}
+
+TEST(Doctor, ExaminesAScenesOwnFileAsItIsAndWritesNothing) {
+  ScratchFolder folder;
+  ASSERT_EQ(run_program({"scene", "make", "--simulator", "ai2thor", "--rooms", "4", "--objects", "60", "--out",
+                         folder.at("homes")})
+                .code,
+            0);
+  const auto before = bytes_below(folder.path());
+  const auto sound = run_program({"scene", "doctor", folder.at("homes")});
+  EXPECT_EQ(sound.code, 0) << sound.out << sound.err;
+  EXPECT_THAT(sound.out, HasSubstr("nothing is wrong with the home as it is now"));
+  EXPECT_EQ(bytes_below(folder.path()), before);
+  const auto file = folder.at("homes/ai2thor-sized-1-0.scene.json.gz");
+  auto scene = Json::parse(*read_maybe_gzip(file));
+  std::string spoiled;
+  for (auto& node : scene["nodes"]) {
+    if (!node["movable"].get<bool>()) continue;
+    node["position"][2] = node["position"][2].get<double>() + 0.3;
+    spoiled = node["id"];
+    break;
+  }
+  ASSERT_TRUE(write_file(folder.at("spoiled.scene.json"), scene.dump()));
+  const auto ended = run_program({"scene", "doctor", folder.at("spoiled.scene.json"), "--json"});
+  EXPECT_EQ(ended.code, 1);
+  const auto json = Json::parse(ended.out, nullptr, false);
+  EXPECT_EQ(SchemaChecker().check(json, "scene-doctor.schema.json"), "");
+  ASSERT_FALSE(json["homes"][0]["faults"].empty());
+  bool named = false;
+  for (const auto& fault : json["homes"][0]["faults"])
+    named = named || (fault["fault"] == "restless" && fault["object"] == spoiled);
+  EXPECT_TRUE(named) << json;
+}
+
 TEST(ForeignScenes, AreDrawnAndMeasuredAsTheyAre) {
   ScratchFolder folder;
   const auto houses = (kHomes / "houses.procthor.jsonl").string();
@@ -209,6 +275,11 @@ class DamagedFiles : public ::testing::Test {
     EXPECT_EQ(ended.code, 2) << ended.out;
     EXPECT_THAT(ended.err, HasSubstr(message));
     EXPECT_FALSE(fs::exists(folder_.at("out")));
+    if (format != "auto") return;
+    const auto doctor = run_program({"scene", "doctor", sound(), file});
+    EXPECT_EQ(doctor.code, 2) << doctor.out;
+    EXPECT_THAT(doctor.err, HasSubstr(message));
+    EXPECT_EQ(doctor.out, "");
   }
   /// A home with one thing changed, as a file.
   std::string with(const std::string& home, const std::string& from, const std::string& to) const {

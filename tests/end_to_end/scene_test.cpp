@@ -204,5 +204,43 @@ TEST(BadScenes, AreToldAndLeaveNothing) {
   EXPECT_EQ(bytes_below(folder.path()), before);
 }
 
+std::size_t times(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++found;
+  return found;
+}
+
+TEST(HomePage, ShowsSixHomesOfEachSimulatorFromAboveAndFromInside) {
+  ScratchFolder folder;
+  const auto ended = run_program({"scene", "report", "--out", folder.at("homes.html")});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const auto page = read_file(folder.at("homes.html"));
+  ASSERT_TRUE(page);
+  EXPECT_EQ(times(*page, "<article"), 24U);
+  EXPECT_EQ(times(*page, "<svg"), 24U);
+  EXPECT_EQ(times(*page, "<img alt="), 96U);
+  for (const std::string simulator : {"AI2-THOR", "VirtualHome", "Habitat", "BEHAVIOR"})
+    EXPECT_EQ(times(*page, "<h2>" + simulator + "</h2>"), 1U);
+  const auto again = run_program({"scene", "report", "--threads", "1", "--out", folder.at("again.html")});
+  ASSERT_EQ(again.code, 0);
+  EXPECT_EQ(read_file(folder.at("again.html")), read_file(folder.at("homes.html")));
+}
+
+TEST(HomePage, ShowsGivenHomesAndRefusesWhatIsNone) {
+  ScratchFolder folder;
+  ASSERT_EQ(run_program({"scene", "make", "--simulator", "ai2thor", "--rooms", "4", "--objects", "60", "--out",
+                         folder.at("homes")})
+                .code,
+            0);
+  const auto ended = run_program({"scene", "report", folder.at("homes"), "--views", "2", "--out", folder.at("a.html")});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const auto page = read_file(folder.at("a.html"));
+  EXPECT_EQ(times(*page, "<h3>ai2thor-sized-1-0 "), 1U);
+  EXPECT_EQ(times(*page, "<img alt="), 2U);
+  const auto refused = run_program({"scene", "report", folder.at("nowhere.json"), "--out", folder.at("b.html")});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, ::testing::HasSubstr("nowhere.json: file error"));
+}
+
 }  // namespace
 }  // namespace unietp

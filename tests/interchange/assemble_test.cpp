@@ -69,6 +69,39 @@ TEST(Assemble, FurnitureFollowsWhatTheFileShowsToStandOnIt) {
   EXPECT_FALSE(find_node(home->scene, "counter_top_1")->boards.empty());
 }
 
+/// The first repair of this kind of the object, as the file names it.
+ImportRepair repair_of(const ImportReport& report, const std::string& object, RepairKind kind) {
+  for (const ImportRepair& repair : report.repairs) {
+    if (repair.object == object && repair.kind == kind) return repair;
+  }
+  ADD_FAILURE() << object << " has no repair " << name_of(kind);
+  return {};
+}
+
+TEST(Assemble, EveryRepairIsReportedWithItsDistance) {
+  SourceScene scene = kitchen();
+  scene.objects.push_back(thing("table", "DiningTable", {0, -1, 0.4}, {1, 0.8, 0.8}));
+  scene.objects.push_back(thing("plate", "Plate", {0, -1, 0.81}, {0.2, 0.2, 0.02}, "table"));
+  scene.objects.push_back(thing("book", "Book", {0.3, -1, 0.828}, {0.1, 0.1, 0.04}, "table"));
+  scene.objects.push_back(thing("vase", "Vase", {-0.3, -1, 1.05}, {0.1, 0.1, 0.2}, "table"));
+  scene.objects.push_back(thing("pillow", "Pillow", {-1, 0, 0.15}, {0.3, 0.3, 0.2}));
+  const auto home = imported(scene);
+  ASSERT_TRUE(home) << format(home.error());
+  const ImportReport& report = home->report;
+  const ImportRepair surface = repair_of(report, "counter", RepairKind::Surface);
+  EXPECT_NEAR(surface.by_m, 0.2, 0.02) << "what stands on the counter is 20 cm below the top of its box";
+  EXPECT_EQ(surface.node, "counter_top_1");
+  const ImportRepair cut = repair_of(report, "counter", RepairKind::Cut);
+  EXPECT_EQ(cut.other, "sink");
+  EXPECT_NEAR(cut.by_m, 0.4, 0.02) << "the sink's bottom is 40 cm below the counter's top, before that is moved";
+  EXPECT_NEAR(repair_of(report, "book", RepairKind::Lowered).by_m, 0.008, 0.001) << "8 mm above the plate's level";
+  const ImportRepair board = repair_of(report, "table", RepairKind::Board);
+  EXPECT_EQ(board.other, "vase");
+  EXPECT_NEAR(board.by_m, 0.15, 0.02) << "the air between vase and table";
+  EXPECT_NEAR(repair_of(report, "pillow", RepairKind::Settled).by_m, 0.05, 0.005) << "it hung 5 cm above the floor";
+  for (const ImportRepair& repair : report.repairs) EXPECT_GE(repair.by_m, 0.001) << repair.object;
+}
+
 TEST(Assemble, IsDeterministic) {
   const auto one = imported(kitchen()), two = imported(kitchen());
   ASSERT_TRUE(one && two);
@@ -82,6 +115,7 @@ TEST(Assemble, WithoutRoomsOneIsDrawnAndTheAgentStandsOnFreeFloor) {
   const auto home = imported(scene);
   ASSERT_TRUE(home) << format(home.error());
   ASSERT_EQ(home->scene.rooms.size(), 1u);
+  EXPECT_EQ(home->report.rooms_drawn, 1);
   EXPECT_TRUE(contains(home->scene.rooms[0].polygon, home->scene.agent.position));
 }
 
@@ -92,6 +126,8 @@ TEST(Assemble, RoomsWithoutDoorsAreJoinedWhereTheyShareAWall) {
   const auto home = imported(scene);
   ASSERT_TRUE(home) << format(home.error());
   EXPECT_EQ(home->scene.openings.size(), 2u) << "the wall has two sides";
+  EXPECT_EQ(home->report.openings_made, 2);
+  EXPECT_EQ(home->report.rooms_drawn, 0);
   ASSERT_THAT(reasons_of(home->report), Contains("cut-off"));
   EXPECT_EQ(home->report.issues.front().object, "shed_1");
 }
@@ -103,6 +139,9 @@ TEST(Assemble, TheReasonsAreThoseOfTheSchema) {
   const auto& names = schema.at("/properties/issues/items/properties/reason/enum"_json_pointer);
   for (std::size_t i = 0; i < names.size(); ++i) EXPECT_EQ(name_of(static_cast<ImportReason>(i)), names[i]);
   EXPECT_EQ(names.size(), static_cast<std::size_t>(ImportReason::UnknownState) + 1);
+  const auto& repairs = schema.at("/properties/repairs/items/properties/repair/enum"_json_pointer);
+  for (std::size_t i = 0; i < repairs.size(); ++i) EXPECT_EQ(name_of(static_cast<RepairKind>(i)), repairs[i]);
+  EXPECT_EQ(repairs.size(), static_cast<std::size_t>(RepairKind::Surface) + 1);
 }
 
 TEST(Assemble, WhatCannotBePlacedIsListedByItsReason) {
