@@ -26,8 +26,10 @@ Result<SceneWriter> writer_named(const std::string& format) {
     return
         [write](const Scene& scene, const Knowledge& knowledge, const FormatFacts&) { return write(scene, knowledge); };
   };
-  const std::map<std::string, SceneWriter> writers{
-      {"habitat", plain(write_habitat)}, {"procthor", write_procthor}, {"virtualhome", write_virtualhome}};
+  const std::map<std::string, SceneWriter> writers{{"behavior", plain(write_behavior)},
+                                                   {"habitat", plain(write_habitat)},
+                                                   {"procthor", write_procthor},
+                                                   {"virtualhome", write_virtualhome}};
   if (const auto found = writers.find(format); found != writers.end()) return found->second;
   std::vector<std::string> names;
   names.reserve(writers.size());
@@ -66,10 +68,11 @@ void add_scene_export_command(CommandParser& group, CommandLine& program) {
       {{"unietp scene export procthor home.scene.json.gz --out house.json",
         "a house for AI2-THOR's CreateHouse, with models whose boxes fit"},
        {"unietp scene export virtualhome home.scene.json.gz --out graph.json", "an environment graph"},
-       {"unietp scene export habitat home.scene.json.gz --out home.scene_instance.json", ""}});
+       {"unietp scene export habitat home.scene.json.gz --out home.scene_instance.json", ""},
+       {"unietp scene export behavior home.scene.json.gz --out home_best.json", "a scene for OmniGibson"}});
   command->add_option("FORMAT", options->format, "Format to write")
       ->required()
-      ->suggests({"procthor", "virtualhome", "habitat"});
+      ->suggests({"procthor", "virtualhome", "habitat", "behavior"});
   command->add_option("SCENE", options->scene, "A scene file (.scene.json or .scene.json.gz)")->required();
   command->add_option("--out", options->out, "File to write")->required();
   command->callback([options, &program] { program.exit = write_out(*options, program); });

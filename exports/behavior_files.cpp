@@ -4,14 +4,32 @@
 #include "exports/bddl.h"
 #include "exports/formats.h"
 #include "exports/task_folder.h"
+#include "interchange/formats.h"
 
 namespace unietp {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// The home at the start, with the object that each of the problem's names stands for, as BehaviorTask reads it.
+/// Errors: Unsatisfiable, where a movable object that the problem names has no model.
+Result<std::string> sampled_scene(const FinishedTask& task, const BddlProblem& problem, const ExportedScene& scene) {
+  Json instances = Json::object();
+  for (const auto& [id, name] : problem.names) {
+    if (id.find('/') != std::string::npos) continue;  // halves come when the whole is cut
+    const auto there = scene.names.find(id);
+    if (there == scene.names.end())
+      return Error{
+          Error::Kind::Unsatisfiable, "", {}, "no model of " + find_node(task.start, id)->category + " is known"};
+    instances[name] = there->second;
+  }
+  Json json = Json::parse(scene.text);
+  json["metadata"]["task"]["inst_to_name"] = std::move(instances);
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
 /// A task as a runner reads it, beside its BDDL problem.
-Json task_json(const FinishedTask& task, const BddlProblem& problem) {
+Json task_json(const FinishedTask& task, const BddlProblem& problem, const ExportedScene& scene) {
   Json propositions = Json::array(), plan = Json::array();
   for (const LtlfProposition& one : problem.goal.goal.propositions) {
     propositions.push_back({{"name", one.name},
@@ -26,33 +44,47 @@ Json task_json(const FinishedTask& task, const BddlProblem& problem) {
     plan.push_back(
         {{"action", steps[i].command.action}, {"args", std::move(arguments)}, {"holds", problem.goal.holding[i + 1]}});
   }
-  return {{"format", "unietp-behavior/1"},
-          {"task", task.record.id},
-          {"template", task.record.template_name},
-          {"instruction", task.record.instruction},
-          {"objects", problem.names},
-          {"last_state_decides", problem.decides},
-          {"goal",
-           {{"text", task.record.goal_text},
-            {"formula", problem.goal.goal.formula},
-            {"propositions", std::move(propositions)},
-            {"holds", problem.goal.holding.front()}}},
-          {"plan", std::move(plan)}};
+  return {
+      {"format", "unietp-behavior/1"},
+      {"task", task.record.id},
+      {"template", task.record.template_name},
+      {"instruction", task.record.instruction},
+      {"objects", problem.names},
+      {"scene_objects", scene.names},
+      {"not_said", scene.left_out},
+      {"agent",
+       {{"position", {task.start.agent.position.x(), task.start.agent.position.y()}}, {"yaw", task.start.agent.yaw}}},
+      {"last_state_decides", problem.decides},
+      {"goal",
+       {{"text", task.record.goal_text},
+        {"formula", problem.goal.goal.formula},
+        {"propositions", std::move(propositions)},
+        {"holds", problem.goal.holding.front()}}},
+      {"plan", std::move(plan)}};
 }
 
 /// For each task of BEHAVIOR `activity_definitions/<task>/problem0.bddl`, the folder that the package `bddl` reads
-/// activities from, and `<task>.json` with the exact goal over literals of BDDL; and left_out.jsonl.
+/// activities from; its start where OmniGibson looks for sampled scenes; and `<task>.json` with the exact goal over
+/// literals of BDDL; and left_out.jsonl.
 Result<std::string> write_behavior_files(const ExportRequest& request) {
   const auto words = read_bddl_words(request.data / "bddl");
   if (!words) return words.error();
   const auto say = [&](const FinishedTask& task,
                        const std::filesystem::path& folder) -> Result<std::optional<std::string>> {
-    const auto problem = bddl_problem(task, *backend_of(request.backends, task.start).knowledge, *words);
+    const Knowledge& knowledge = *backend_of(request.backends, task.start).knowledge;
+    const auto problem = bddl_problem(task, knowledge, *words);
     if (!problem) return std::optional(problem.error().message);
+    const auto scene = write_behavior(task.start, knowledge);
+    if (!scene) return scene.error();
+    const auto sampled = sampled_scene(task, *problem, *scene);
+    if (!sampled) return std::optional(sampled.error().message);
     const std::string& id = task.record.id;
-    const std::string text = task_json(task, *problem).dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    const std::string text =
+        task_json(task, *problem, *scene).dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
     for (const auto& [file, content] :
-         {std::pair{"activity_definitions/" + id + "/problem0.bddl", problem->text}, {id + ".json", text}}) {
+         {std::pair{"activity_definitions/" + id + "/problem0.bddl", problem->text},
+          {"scenes/" + id + "/json/" + id + "_task_" + id + "_0_0_template.json", *sampled},
+          {id + ".json", text}}) {
       if (auto written = write_file(folder, file, content); !written) return written.error();
     }
     return std::optional<std::string>();

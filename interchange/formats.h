@@ -45,6 +45,9 @@ Result<ExportedScene> write_procthor(const Scene& scene, const Knowledge& knowle
 std::string procthor_room_id(std::size_t room);
 Result<ExportedScene> write_virtualhome(const Scene& scene, const Knowledge& knowledge, const FormatFacts& facts);
 Result<ExportedScene> write_habitat(const Scene& scene, const Knowledge& knowledge);
+/// An OmniGibson scene. `pos` is the middle of an object's box, since no file tells where a model's root link is in it.
+/// `names` has each room's floor, too. Deterministic. Errors: as above.
+Result<ExportedScene> write_behavior(const Scene& scene, const Knowledge& knowledge);
 /// The same with a stand-in (habitat_assets.h) for the model of every object, and no scale.
 Result<ExportedScene> write_habitat_with_stand_ins(const Scene& scene, const Knowledge& knowledge);
 

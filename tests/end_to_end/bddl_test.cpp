@@ -302,6 +302,16 @@ TEST(ExportBehavior, EachFormulaHasTheTruthOfOursAfterEveryStep) {
     EXPECT_EQ(checker.check(json, "behavior.schema.json"), "");
     const auto problem = read_problem(*read_file(out / "activity_definitions" / task.id / "problem0.bddl"));
     for (const auto& [id, name] : json["objects"].items()) EXPECT_EQ(problem.ours.at(name), id);
+    const std::string sampled = task.id + "_task_" + task.id + "_0_0_template.json";
+    const auto home = nlohmann::ordered_json::parse(*read_file(out / "scenes" / task.id / "json" / sampled));
+    const auto& instances = home["metadata"]["task"]["inst_to_name"];
+    for (const auto& [name, id] : problem.ours) {
+      if (id.find('/') != std::string::npos) continue;
+      ASSERT_TRUE(instances.contains(name)) << name;
+      EXPECT_EQ(instances[name], json["scene_objects"][id]);
+      EXPECT_TRUE(home["objects_info"]["init_info"].contains(instances[name].get<std::string>())) << name;
+      EXPECT_TRUE(home["state"]["object_registry"].contains(instances[name].get<std::string>())) << name;
+    }
     const bool decides = json["last_state_decides"];
     with_time += decides ? 0 : 1;
     Scene scene = start;

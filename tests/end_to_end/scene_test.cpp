@@ -223,7 +223,9 @@ TEST(HomePage, ShowsSixHomesOfEachSimulatorFromAboveAndFromInside) {
     EXPECT_EQ(times(*page, "<h2>" + simulator + "</h2>"), 1U);
   const auto again = run_program({"scene", "report", "--threads", "1", "--out", folder.at("again.html")});
   ASSERT_EQ(again.code, 0);
-  EXPECT_EQ(read_file(folder.at("again.html")), read_file(folder.at("homes.html")));
+  const auto same = read_file(folder.at("again.html"));
+  ASSERT_TRUE(same);
+  EXPECT_TRUE(*same == *page);
 }
 
 TEST(HomePage, ShowsGivenHomesAndRefusesWhatIsNone) {

@@ -1,15 +1,18 @@
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <numbers>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "core/files.h"
 #include "core/text.h"
 #include "import_rates.h"
 #include "interchange/formats.h"
 #include "interchange/scene_models.h"
+#include "small_home.h"
 #include "tests/support/needs.h"
 
 namespace unietp::testing {
@@ -144,6 +147,45 @@ TEST(Behavior, BadScenesGetAnErrorWithItsPlace) {
             "scene.json: schema error: the field \"objects_info\" is missing");
   EXPECT_EQ(with(omnigibson(true), "[0.7, 0.9, 1.0]", "[0.7, 0, 1.0]"),
             "scene.json#/objects_info/init_info/chair_1/args/bounding_box: schema error: expected three lengths > 0");
+}
+
+TEST(Behavior, WhatGoesOutComesInWithItsModelPoseAndSize) {
+  const Knowledge& knowledge = committed_knowledge(Simulator::Behavior);
+  std::size_t met = 0;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    SCOPED_TRACE(seed);
+    const Scene home = small_home(knowledge, seed);
+    const auto exported = write_behavior(home, knowledge);
+    ASSERT_TRUE(exported) << format(exported.error());
+    const auto json = nlohmann::json::parse(exported->text);
+    const SceneModels none;
+    const auto scenes = read_behavior("home.json", exported->text, knowledge, none);
+    ASSERT_TRUE(scenes) << format(scenes.error());
+    for (const Room& room : home.rooms) EXPECT_TRUE(exported->names.contains(room.id));
+    for (const Node& node : home.nodes) {
+      const auto name = exported->names.find(node.id);
+      if (name == exported->names.end()) {
+        EXPECT_THAT(exported->left_out, Contains(HasSubstr(node.id + ": no model of " + node.category)));
+        continue;
+      }
+      const auto& objects = scenes->front().objects;
+      const auto there =
+          std::find_if(objects.begin(), objects.end(), [&](const auto& one) { return one.id == name->second; });
+      ASSERT_NE(there, objects.end());
+      ++met;
+      EXPECT_EQ(there->category, node.category);
+      EXPECT_LT((there->size - node.size).norm(), 1e-9);
+      // The reader lowers and lifts things by the floor, so the height is held against the file itself.
+      EXPECT_LT((there->pose.position - node.pose.position).head<2>().norm(), 1e-9);
+      const auto& root = json["state"]["object_registry"][name->second]["root_link"];
+      EXPECT_NEAR(root["pos"][2].get<double>(), node.pose.position.z(), 1e-12);
+      EXPECT_LT(there->pose.rotation.angularDistance(node.pose.rotation), 1e-5);
+      EXPECT_EQ(std::count(there->states.begin(), there->states.end(), State{Predicate::PowerOn, ""}),
+                node.states.has(Predicate::PowerOn) ? 1 : 0);
+    }
+  }
+  EXPECT_GT(met, 100U);
+  EXPECT_FALSE(write_behavior(small_home(committed_knowledge(Simulator::Habitat), 1), knowledge));
 }
 
 }  // namespace
