@@ -97,8 +97,11 @@ std::optional<Naming::Description> Naming::describe(const NounPhrase& said, Plac
       const auto object = phrase(modifier->object[0], inside);
       if (!object || rest.size() > 1) return std::nullopt;
       const bool held = modifier->predicate == Predicate::Inside;
-      description.directly =
-          (held ? " where " : " on which ") + object->text + (held ? pick({" is kept", " is"}) : " stands");
+      const std::string is = object->plural ? " are" : " is";
+      description.directly = (held ? " where " : " on which ") + object->text +
+                             (held             ? is + pick({" kept", ""})
+                              : object->plural ? " stand"
+                                               : " stands");
       continue;
     }
     const auto text = complement(*modifier, inside);

@@ -34,7 +34,7 @@ bool Naming::is_plant(const Domain& noun) const {
 }
 
 bool Naming::is_pair(const Domain& noun) const {
-  return noun.members.size() == 1 && !lexicon_.without_pair(noun.members[0].category).empty();
+  return noun.members.size() == 1 && !lexicon_.without_set(noun.members[0].category).empty();
 }
 
 bool Naming::comes_from_a_shaker(const std::string& substance) const {
@@ -93,8 +93,9 @@ bool Naming::says_room(const std::string& name) const {
 }
 
 std::string Naming::pair_name(const Domain& domain, const Noun& noun) const {
-  const bool pair = domain.members.size() == 1 && !domain.members[0].slice && noun.singular.starts_with("pair of ");
-  return pair ? lexicon_.without_pair(domain.members[0].category) : "";
+  if (domain.members.size() != 1 || domain.members[0].slice) return "";
+  const NounTable::Name* own = lexicon_.display(domain.members[0].category);
+  return own != nullptr && own->singular == noun.singular ? lexicon_.without_set(domain.members[0].category) : "";
 }
 
 /// "The pizza half" rather than "the half pizza", as there are "pizza halves"; "half a pizza" stays.

@@ -6,6 +6,7 @@
 
 #include "annotator/everyday_names.h"
 #include "annotator/plural.h"
+#include "annotator/rare_names.h"
 #include "core/text.h"
 
 namespace unietp {
@@ -27,8 +28,18 @@ std::string spaced(const std::string& name) {
   return lower(text);
 }
 
-constexpr std::string_view kPair = "pair of ", kHalf = "half ", kStalk = "stalk of ";
+constexpr std::string_view kHalf = "half ", kStalk = "stalk of ";
+/// What people leave out where there is one: "the glasses", "the keys".
+constexpr std::array<std::string_view, 4> kSets{"pair of ", "set of ", "bunch of ", "deck of "};
 constexpr double kSaid = 0.8;  // the confidence of names that people say; a dictionary's are only read
+
+/// "keys" of "set of keys"; "" of a name that has no such head.
+std::string_view things_of_set(std::string_view name) {
+  for (const std::string_view set : kSets)
+    if (name.starts_with(set)) return name.substr(set.size());
+  return "";
+}
+
 /// Whether a name is of one thing, as "glasses" is not.
 bool is_one(std::string_view name) {
   for (const std::string_view link : {" of ", " with ", " for ", " in "}) name = name.substr(0, name.find(link));
@@ -146,7 +157,8 @@ NounTable::NounTable(const Knowledge& knowledge, English english) {
     if (said == "stove" && !taken.contains("oven"))
       for (const auto& [text, plural] : {std::pair{"oven", false}, std::pair{"ovens", true}})
         add(made.nouns, text, noun, !plural, plural, false, 1);
-    if (said.starts_with(kPair)) add(made.nouns, said.substr(kPair.size()), noun, false, false, true, 2);
+    if (const std::string things(things_of_set(said)); !things.empty())
+      add(made.nouns, things, noun, false, false, true, 2);
     if (said.starts_with(kStalk)) add(made.nouns, said.substr(kStalk.size()), noun, false, false, true, 2);
     if (said.starts_with(kHalf)) {
       made.names[category.name].plural = said.substr(kHalf.size()) + " halves";
@@ -165,6 +177,7 @@ NounTable::NounTable(const Knowledge& knowledge, English english) {
       add_phrase(alias);
       continue;
     }
+    if (alias.text == things_of_set(made.names[alias.category].singular)) continue;  // read as the set already
     const Name name{alias.text, category->countable ? plural_of(alias.text) : alias.text, category->countable,
                     category->movable};
     if (alias.source.confidence >= kSaid && is_said(alias.text, english)) made.synonyms[alias.category].push_back(name);
@@ -250,10 +263,10 @@ const NounTable::Name* NounTable::display(const std::string& category) const {
   return found == fixed_->names.end() ? nullptr : &found->second;
 }
 
-std::string NounTable::without_pair(const std::string& category) const {
+std::string NounTable::without_set(const std::string& category) const {
   const Name* name = display(category);
-  if (name == nullptr || !name->singular.starts_with(kPair)) return "";
-  std::string bare = name->singular.substr(kPair.size());
+  std::string bare(name == nullptr ? "" : things_of_set(name->singular));
+  if (bare.empty()) return "";
   const auto words = tokens_of(bare);
   const Reading read = longest(fixed_->nouns, words, 0);
   const bool clear = read.length == words.size() && read.nouns.size() == 1 && read.nouns[0] == of_category(category);

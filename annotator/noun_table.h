@@ -67,9 +67,9 @@ class NounTable {
     std::string text;                   // as it is written
     std::string need;                   // of an occasion: "something to make it with"
   };
-  /// What a pair is called where it is clear that there is one: "pants"; "" for what is no pair, and for what would
-  /// mean something else, too.
-  std::string without_pair(const std::string& category) const;
+  /// What a pair or set is called where it is clear that there is one: "pants", "keys"; "" for what is none, and for
+  /// what would mean something else, too.
+  std::string without_set(const std::string& category) const;
   /// The phrases of one use that mean exactly these categories, in order of text.
   std::vector<std::string> phrases(const Domain& noun, AliasKind use) const;
 

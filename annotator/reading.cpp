@@ -425,10 +425,10 @@ void PhraseReader::direct_description(NounPhrase& read) {
     read.modifiers.push_back(complement());
   } else if (lexicon_.where_at(tokens_, at_).length == 0 && accept("where")) {
     read.modifiers.push_back({P::Inside, false, "", {phrase()}, true});
-    if (accept_one({"is kept", "is"}) < 0) fail("expected 'is' or 'is kept'");
+    if (accept_one({"is kept", "are kept", "is", "are"}) < 0) fail("expected 'is' or 'is kept'");
   } else if (accept("on which")) {
     read.modifiers.push_back({P::On, false, "", {phrase()}, true});
-    expect("stands");
+    if (accept_one({"stands", "stand"}) < 0) fail("expected 'stands' or 'stand'");
   } else if (bare_rooms_ && room_comes()) {
     read.modifiers.push_back(complement());
   } else if (bare_places_ &&

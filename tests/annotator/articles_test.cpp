@@ -155,12 +155,31 @@ TEST(Both, IsOfTwo) {
 TEST(Pairs, AreCalledByTheirNameWhereThereIsOne) {
   const Knowledge& knowledge = committed_knowledge(Simulator::Virtualhome);
   const NounTable nouns(knowledge);
-  EXPECT_EQ(nouns.without_pair("clothespants"), "pants");
-  EXPECT_EQ(nouns.without_pair("mug"), "");
+  EXPECT_EQ(nouns.without_set("clothespants"), "pants");
+  EXPECT_EQ(nouns.without_set("mug"), "");
   const char* goal = "(exists (?a - clothespants) (exists (?b - bed) (at-end (on ?a ?b))))";
   EXPECT_THAT(texts_in(home_of({{"clothespants"}, {"bed"}}), goal, knowledge), Each(HasSubstr("the pants")));
   EXPECT_THAT(texts_in(home_of({{"clothespants"}, {"clothespants"}, {"bed"}}), goal, knowledge),
               Each(HasSubstr("a pair of pants")));
+}
+
+TEST(Sets, AreCalledByTheirThingsWhereThereIsOne) {
+  const Knowledge& knowledge = committed_knowledge(Simulator::Ai2thor);
+  EXPECT_EQ(NounTable(knowledge).without_set("KeyChain"), "keys");
+  const char* goal = "(exists (?a - KeyChain) (exists (?b - Desk) (at-end (on ?a ?b))))";
+  EXPECT_THAT(texts_in(home_of({{"KeyChain"}, {"Desk"}}), goal, knowledge), Each(HasSubstr("the keys")));
+  EXPECT_THAT(texts_in(home_of({{"KeyChain"}, {"KeyChain"}, {"Desk"}}), goal, knowledge),
+              Each(HasSubstr("a set of keys")));
+  const char* beside = "(exists (?d - (Drawer :where (exists (?a - KeyChain) (inside ?a ?d)))) (at-end (open ?d)))";
+  EXPECT_THAT(
+      check_instruction("Open the drawer where the keys are kept.", asking(beside), knowledge, NounTable(knowledge)),
+      IsEmpty());
+  // "Bananas" is a synonym, too, which does not make one of them.
+  const char* all = "(at-end (exists (?t - diningtable) (forall (?a - bananas) (on ?a ?t))))";
+  EXPECT_THAT(texts_in(home_of({{"bananas"}, {"diningtable"}}), all, committed_knowledge(Simulator::Virtualhome)),
+              Each(Not(HasSubstr(": "))));
+  // Where a single key is a thing of its own, "the keys" are several of those.
+  EXPECT_EQ(NounTable(committed_knowledge(Simulator::Behavior)).without_set("keys"), "");
 }
 
 TEST(Opened, FurnitureThatIsToStayOpenIsLeftOpen) {
