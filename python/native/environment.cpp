@@ -145,9 +145,12 @@ nb::dict channels(SharedEnvironment& self, int width, int height, const std::str
   std::vector<std::string> ids;
   auto all = self.alone([&](SharedEnvironment& own) {
     const Viewpoint viewpoint = viewpoint_of(camera);
+    const Observation& seen = own.environment_.observe();
+    const bool own_size = width == 0 && height == 0;
     for (const Node& node : own.environment_.scene().nodes) ids.push_back(node.id);
     if (viewpoint != Viewpoint::Agent) ids.emplace_back("agent");
-    return value_of(own.environment_.channels(width, height, viewpoint));
+    return value_of(own.environment_.channels(own_size ? seen.image_width : width,
+                                              own_size ? seen.image_height : height, viewpoint));
   });
   return to_python(std::move(all), ids);
 }
@@ -236,11 +239,11 @@ void define_privileged(nb::class_<SharedEnvironment>& environment) {
           },
           "How many actions of M1 the expert's plan from here has, `stop` included; None when it finds none. Not for "
           "the agent; takes up to some 100 ms.")
-      .def(
-          "channels", &channels, "width"_a, "height"_a, "camera"_a = "agent",
-          nb::sig("def channels(self, width: int, height: int, camera: str = 'agent') -> dict[str, typing.Any]"),
-          "Depth, normals, instances and ids of the picture that `render` gives. Not for the agent. Raises Error as it "
-          "does.")
+      .def("channels", &channels, "width"_a, "height"_a, "camera"_a = "agent",
+           nb::sig("def channels(self, width: int, height: int, camera: str = 'agent') -> dict[str, typing.Any]"),
+           "Depth, normals, instances and ids of the picture that `render` gives; sizes of 0: those of the "
+           "observation's "
+           "picture. Not for the agent. Raises Error as it does.")
       .def(
           "snapshot",
           [](SharedEnvironment& self) {

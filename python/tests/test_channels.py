@@ -113,3 +113,29 @@ def test_wrong_cameras_and_sizes_are_refused(env):
         env.channels("below")
     with pytest.raises(unietp.Error, match="size"):
         env.channels(size=(8, 8))
+
+
+def test_observations_have_the_channels_that_were_asked_for(folder):
+    env = unietp.make(folder, "M3", image_width=64, image_height=48, channels=["depth", "normals"], picture=False)
+    observation, info = env.reset(options={"index": 1})
+    assert observation in env.observation_space
+    seen = env.unwrapped.channels()
+    assert np.array_equal(observation["depth"], seen["depth"]) and observation["depth"].shape == (48, 64)
+    assert np.allclose(observation["normals"], seen["normals"], atol=1e-6)
+    assert np.array_equal(info["observation"]["depth"], seen["depth"])
+    after, *_ = env.step("turn_left()")
+    assert not np.array_equal(after["depth"], observation["depth"])
+    assert "depth" not in unietp.make(folder, "M3").observation_space.spaces
+    for wrong in (["instances"], "depth", ["color"]):
+        with pytest.raises(unietp.Error, match="channels"):
+            unietp.make(folder, channels=wrong)
+
+
+def test_channels_of_smaller_pictures_are_framed(folder):
+    env = unietp.make(folder, "M1", channels=["depth"])
+    for index in range(4):
+        observation, info = env.reset(options={"index": index})
+        height, width, _ = info["observation"]["image"].shape
+        assert observation in env.observation_space
+        assert info["observation"]["depth"].shape == (height, width)
+        assert not observation["depth"][height:].any() and not observation["depth"][:, width:].any()

@@ -211,6 +211,11 @@ class TaskEnv(gymnasium.Env[dict[str, np.ndarray], Any]):
             readable["image"] = picture
             arrays["image"] = self._env_spaces.padded(picture)
         native = self._started()
+        if self._env_spaces.channels:
+            seen = native.channels(0, 0)
+            for name in self._env_spaces.channels:
+                readable[name] = np.clip(seen[name], -1, 1) if name == "normals" else seen[name]
+                arrays[name] = self._env_spaces.padded(readable[name])
         info: dict[str, Any] = {"task": native.task.id, "observation": readable}
         if self._privileged:
             info["privileged"] = native.privileged()

@@ -3,6 +3,7 @@
 import functools
 import json
 import os
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +18,7 @@ from unietp.task_source import TaskSource
 from unietp.vector import VectorTaskEnv
 
 MODES = ("M1", "M2", "M3")
+CHANNELS = ("depth", "normals")
 
 
 def complete_settings(mode: str = "M1", **settings: Any) -> dict[str, Any]:
@@ -36,6 +38,7 @@ def make(
     procedural: dict[str, Any] | None = None,
     render_mode: str | None = None,
     render_camera: str = "agent",
+    channels: Sequence[str] = (),
     max_things: int = 512,
     privileged: bool = False,
     **settings: Any,
@@ -49,6 +52,7 @@ def make(
             names), sense ("usual", "tolerable" or "any"; docs/sense.md), homes (how many of each simulator, 16), homes_seed (1) and attempts (200); `{}` for all kinds.
         render_mode: what `render` gives: "rgb_array", "ansi" or None.
         render_camera: what takes its picture: "agent"; "behind", which follows the agent; or "above" the whole home.
+        channels: what observations have besides the picture, in its size: "depth", "normals" (`TaskEnv.channels`).
         max_things: rows of the array `things`, and so the number of things that actions can name by number.
         privileged: put what the agent must not know into `info["privileged"]`.
         settings: see `complete_settings`; `picture=False` makes steps some times faster.
@@ -58,7 +62,8 @@ def make(
     """
     return gymnasium.make(
         _name_of(mode), dataset=_plain(tasks), procedural=procedural, render_mode=render_mode,
-        render_camera=render_camera, max_things=max_things, privileged=privileged, disable_env_checker=True, **settings,
+        render_camera=render_camera, channels=channels, max_things=max_things, privileged=privileged,
+        disable_env_checker=True, **settings,
     )  # type: ignore[return-value]
 
 
@@ -102,13 +107,14 @@ def make_single(
     procedural: dict[str, Any] | None = None,
     render_mode: str | None = None,
     render_camera: str = "agent",
+    channels: Sequence[str] = (),
     max_things: int = 512,
     privileged: bool = False,
     **settings: Any,
 ) -> TaskEnv:
     source = _task_source(dataset, procedural)
     return TaskEnv(
-        source, _env_spaces(source, mode, settings, max_things), render_mode=render_mode, render_camera=render_camera,
+        source, _env_spaces(source, mode, settings, max_things, channels), render_mode=render_mode, render_camera=render_camera,
         privileged=privileged,
     )
 
@@ -149,10 +155,15 @@ def _settings_text(mode: str, settings: dict[str, Any]) -> str:
         raise Error(f"settings: {error}") from error
 
 
-def _env_spaces(source: TaskSource, mode: str, settings: dict[str, Any], max_things: int) -> EnvironmentSpaces:
+def _env_spaces(
+    source: TaskSource, mode: str, settings: dict[str, Any], max_things: int, channels: Sequence[str] = ()
+) -> EnvironmentSpaces:
+    if isinstance(channels, str) or not set(channels) <= set(CHANNELS):
+        raise Error(f"channels: expected a list of {' and '.join(CHANNELS)}, not {channels!r}")
     if type(max_things) is not int or max_things < 1:
         raise Error(f"max_things: expected a whole number of at least 1, not {max_things!r}")
-    return EnvironmentSpaces(source, json.loads(_native.complete_settings(_settings_text(mode, settings))), max_things)
+    complete = json.loads(_native.complete_settings(_settings_text(mode, settings)))
+    return EnvironmentSpaces(source, complete, max_things, tuple(channels))
 
 
 def _task_source(dataset: str | None, procedural: dict[str, Any] | None) -> TaskSource:

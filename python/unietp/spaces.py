@@ -19,8 +19,9 @@ KINDS = ("", "room", "furniture", "movable", "seen")
 class EnvironmentSpaces:
     """How an environment with these settings looks to Gymnasium. docs/python.md has the tables."""
 
-    def __init__(self, source: TaskSource, settings: dict[str, Any], max_things: int):
+    def __init__(self, source: TaskSource, settings: dict[str, Any], max_things: int, channels: tuple[str, ...] = ()):
         self.settings = settings
+        self.channels = channels
         self.text = json.dumps(settings)
         self.categories = ("", *source.catalog.categories)
         self.actions = tuple(_native.offered_actions(self.text, source.extended))
@@ -48,6 +49,10 @@ class EnvironmentSpaces:
         }
         if self.settings["picture"]:
             numbers["image"] = spaces.Box(0, 255, self.image_shape, np.uint8)
+        if "depth" in self.channels:
+            numbers["depth"] = spaces.Box(0, np.inf, self.image_shape[:2], np.float32)
+        if "normals" in self.channels:
+            numbers["normals"] = spaces.Box(-1, 1, self.image_shape, np.float32)
         return spaces.Dict(numbers)
 
     def _action_space(self, max_things: int) -> spaces.Dict:
@@ -60,10 +65,10 @@ class EnvironmentSpaces:
         return spaces.Dict(parts)
 
     def padded(self, image: np.ndarray) -> np.ndarray:
-        """The picture in the shape of the space: what a smaller one leaves free, right and below, is black."""
-        if image.shape == self.image_shape:
+        """The picture, or a channel of it, in the shape of the space: what a smaller one leaves free, right and below, is 0."""
+        if image.shape[:2] == self.image_shape[:2]:
             return image
-        framed = np.zeros(self.image_shape, np.uint8)
+        framed = np.zeros((*self.image_shape[:2], *image.shape[2:]), image.dtype)
         framed[: image.shape[0], : image.shape[1]] = image
         return framed
 
