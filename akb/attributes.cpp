@@ -43,6 +43,13 @@ std::vector<std::string> values_of(const Category& category) {
 }
 
 bool comes_in_sizes(const Category& category, const Knowledge& knowledge) {
+  // Nobody tells compact discs, keys or phones apart by their size, whatever their models.
+  constexpr std::array<std::string_view, 7> kOneSize{"game",   "pocket_thing", "phone",
+                                                     "gadget", "stationery",   "cutlery"};
+  if (std::any_of(category.kinds.begin(), category.kinds.end(), [&](const std::string& kind) {
+        return std::find(kOneSize.begin(), kOneSize.end(), kind) != kOneSize.end();
+      }))
+    return false;
   double least = 0, most = 0;
   for (const Asset* asset : knowledge.assets_of(category.name)) {
     if (!usable(*asset, category)) continue;

@@ -252,8 +252,8 @@ std::optional<std::string> ClauseWriter::worded(const Clause& clause) {
         patterns = {"grab me {s}"};
       if (naming_.everyday() && naming_.has_lid(clause.subjects[0].noun))
         for (std::string& pattern : patterns) pattern = replace_all(pattern, "close {s}", "put the lid on {s}");
-      // Pants are washed.
-      if (naming_.everyday() && naming_.is_pair(clause.subjects[0].noun))
+      // What one holds is washed.
+      if (naming_.everyday() && naming_.is_carried(clause.subjects[0].noun))
         std::erase_if(patterns, [](const std::string& pattern) { return pattern == "clean {s}"; });
       // A table is cleaned, not washed.
       if (naming_.everyday() && !naming_.is_carried(clause.subjects[0].noun))

@@ -90,8 +90,6 @@ class Naming {
   bool was_named(const std::string& variable) const;
   /// Whether such an object may be named by its use alone, "something to drink from".
   bool names_by_use(const Domain& noun) const;
-  /// Whether it is a pair with a name of its own: "pants".
-  bool is_pair(const Domain& noun) const;
   /// Whether it is watered rather than filled.
   bool is_plant(const Domain& noun) const;
   /// Whether people put a lid on it rather than close it.

@@ -33,10 +33,6 @@ bool Naming::is_plant(const Domain& noun) const {
   return name != nullptr && name->singular.ends_with("plant");
 }
 
-bool Naming::is_pair(const Domain& noun) const {
-  return noun.members.size() == 1 && !lexicon_.without_set(noun.members[0].category).empty();
-}
-
 bool Naming::comes_from_a_shaker(const std::string& substance) const {
   return substance == "black_pepper" || lexicon_.display(substance + "_shaker") != nullptr;
 }

@@ -112,8 +112,8 @@ class Landmarks {
       return std::find(landmark.rooms.begin(), landmark.rooms.end(), room) != landmark.rooms.end();
     });
   }
-  /// Whether the nearest of the things is in the landmark's room now: what is near through a wall is not near to
-  /// people.
+  /// Whether the nearest of the things is in the landmark's room now, and not on or in it: what is near through a wall
+  /// is not near to people, and what is on the counter is not said to be near it.
   bool is_near_in_a_room(const std::string& landmark) const {
     if (offer_.now.states.empty()) return true;
     const std::string room = other_ + "_room";
@@ -123,7 +123,9 @@ class Landmarks {
         room, any_room,
         conjunction({atom(Predicate::InRoom, {variable_.variable, room}), atom(Predicate::InRoom, {other_, room})}));
     const Formula near = exists(other_, of_category(landmark),
-                                conjunction({atom(Predicate::Nearest, {variable_.variable, other_}), together}));
+                                conjunction({atom(Predicate::Nearest, {variable_.variable, other_}), together,
+                                             negation(atom(Predicate::On, {variable_.variable, other_})),
+                                             negation(atom(Predicate::Inside, {variable_.variable, other_}))}));
     return holds_in(exists(variable_.variable, of_category(variable_.category), near), offer_.now, 0);
   }
   Reference related(Predicate relation, const std::string& other, Referring kind) const {

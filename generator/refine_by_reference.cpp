@@ -34,6 +34,12 @@ std::vector<Reference> offered(Style style, const GoalVariable& variable, const 
   for (const Referring kind : kinds_for(style))
     for (auto& reference : references(kind, variable, plain, knowledge, offer, rng.fork(name_of(kind), 0)))
       all.push_back(std::move(reference));
+  // "The mug that is not on the desk", but not "that is not next to a bowl" or "not on any of the desks".
+  if (style == Style::Negation)
+    std::erase_if(all, [&](const Reference& one) {
+      return one.kind == Referring::ByRelation && (one.test.children.front().predicate == Predicate::NextTo ||
+                                                   number_of(offer, one.test.domain.members.front().category) > 1);
+    });
   rng.shuffle(all);
   if (all.size() > kMostReferencesTried) all.resize(kMostReferencesTried);
   return all;

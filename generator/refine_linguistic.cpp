@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "generator/goal_variable.h"
 #include "generator/refinement.h"
@@ -25,6 +26,17 @@ constexpr std::array kShares = {
 bool says(const Formula& goal, const auto& is_asked) {
   return is_asked(goal) || std::any_of(goal.children.begin(), goal.children.end(),
                                        [&](const Formula& child) { return says(child, is_asked); });
+}
+
+void add_predicates(const Formula& formula, std::set<Predicate>& into) {
+  if (formula.op == Formula::Op::Atom) into.insert(formula.predicate);
+  for (const Formula& child : formula.children) add_predicates(child, into);
+}
+
+std::set<Predicate> predicates_in(const Formula& formula) {
+  std::set<Predicate> found;
+  add_predicates(formula, found);
+  return found;
 }
 
 std::vector<Style> in_drawn_order(Rng& rng) {
@@ -83,7 +95,10 @@ std::optional<Specification> refined(const Specification& plain, const Knowledge
     case Style::Condition:
       return is_undone_in_one(plain, offer) ? std::optional(reworded(plain, style)) : std::nullopt;
     case Style::InvertedOrder: {
-      const auto in_order = [](const Formula& f) { return f.op == Formula::Op::Before; };
+      // "Before you put the apple in the fridge, put the egg in it" says it back to front.
+      const auto in_order = [](const Formula& f) {
+        return f.op == Formula::Op::Before && predicates_in(f.children[0]) != predicates_in(f.children[1]);
+      };
       return says(plain.goal, in_order) ? std::optional(reworded(plain, style)) : std::nullopt;
     }
     case Style::VagueQuantity: {

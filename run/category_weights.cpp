@@ -15,6 +15,8 @@ namespace {
 constexpr double kAdded = 1e-4;   // times the weight of what is there
 constexpr double kTooFew = 0.02;  // likewise, of what is there, but not in the number that is needed
 
+constexpr double kOneOfRooms = 0.05;  // a type of room that the home has several of: "one of the bedrooms"
+
 /// What furniture weighs of which the home has `more` than are needed. People name a place that the home has once or
 /// tell which they mean; "a side table" of seven is what nobody says.
 double weight_of_which(std::size_t more) {
@@ -66,7 +68,12 @@ CategoryWeight weight_in(const Layout& layout, const Template& source, Split spl
     const auto at = static_cast<std::size_t>(&parameter - source.parameters.data());
     const auto dimension = dimensions[at];
     double own = counts.weight(dimension, prefix + category);
-    if (dimension == Dimension::Room || is_value(parameter)) return own;
+    if (is_value(parameter)) return own;
+    if (dimension == Dimension::Room) {
+      const auto& all = layout.home.scene.rooms;
+      const auto of_type = std::count_if(all.begin(), all.end(), [&](const Room& one) { return one.type == category; });
+      return of_type > 1 ? own * kOneOfRooms : own;
+    }
     const std::size_t there = layout.home.places.of(category).size();
     if (there == 0) return own * kAdded;
     if (there < needed[at]) {

@@ -58,6 +58,19 @@ bool all_sinks_suit(const Formula& goal, const Layout& layout, const Household& 
   });
 }
 
+bool leaves_place_open(const Formula& goal, const Layout& layout) {
+  constexpr std::size_t kSome = 3;
+  const Home& home = layout.home;
+  const auto domains = quantified_domains(goal);
+  return std::any_of(domains.begin(), domains.end(), [&](const QuantifiedDomain& one) {
+    if (one.op != Formula::Op::Exists || one.domain.members.size() != 1 || !one.domain.where.empty()) return false;
+    const auto& there = home.places.of(one.domain.members.front().category);
+    if (there.size() < kSome || home.scene.nodes[there.front()].movable) return false;
+    return std::any_of(there.begin(), there.end(),
+                       [&](std::size_t node) { return home.rooms[node] != home.rooms[there.front()]; });
+  });
+}
+
 RoomSuits rooms_for(const Formula& goal, const Household& household) {
   return [things = goal_places(goal), &household](const std::string& place, const std::string& room) {
     return std::all_of(things.begin(), things.end(), [&](const auto& of) {

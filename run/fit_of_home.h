@@ -22,6 +22,10 @@ BindingCheck fits_home(const RunConfiguration& configuration, const Resources& r
 /// What the home lacks is not looked at.
 bool all_sinks_suit(const Formula& goal, const Layout& layout, const Household& household);
 
+/// Whether the goal leaves open which of three or more pieces of furniture, in several rooms, is meant: nobody is
+/// indifferent among the drawers of all rooms.
+bool leaves_place_open(const Formula& goal, const Layout& layout);
+
 /// Whether people keep all things that the goal puts into a place of a category in such places of a type of room. The
 /// household must outlive it.
 RoomSuits rooms_for(const Formula& goal, const Household& household);
