@@ -71,7 +71,7 @@ Home prepare_home(Scene scene, const Profile& profile) {
   steps.finish();
   walk.steps = std::make_shared<const DistanceField>(std::move(steps));
   home.walk = std::make_shared<const Walk>(std::move(walk));
-  home.unreached = unreached_room(scene, *home.walk);
+  home.cut_off = unreached_rooms(scene, *home.walk);
   home.now.states.push_back(home.reader.read(scene));
   home.reader.share();
   home.now.entities = home.reader.entities();
@@ -79,6 +79,15 @@ Home prepare_home(Scene scene, const Profile& profile) {
   home.viewer = std::make_shared<const Viewer>(scene);
   home.scene = std::move(scene);
   return home;
+}
+
+std::optional<std::string> newly_unreached(const Home& home, const Scene& scene,
+                                           const std::shared_ptr<const Walk>& walk) {
+  if (walk == home.walk) return std::nullopt;
+  for (const std::string& id : unreached_rooms(scene, *walk)) {
+    if (std::find(home.cut_off.begin(), home.cut_off.end(), id) == home.cut_off.end()) return id;
+  }
+  return std::nullopt;
 }
 
 Differences differences(const Home& home, const Scene& scene) {

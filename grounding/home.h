@@ -32,7 +32,7 @@ struct Home {
   SharedList<std::optional<Bounds>> sweeps;  // space that doors and drawers of furniture pass through, by node
   double farthest_sweep = 0;                 // how far any of them goes beyond the bounds of its node, m
   std::shared_ptr<const Walk> walk;
-  std::optional<std::string> unreached;  // a room that the agent cannot walk to
+  std::vector<std::string> cut_off;      // rooms that the agent cannot walk to: none in generated homes
   Trace now;                             // the scene in the logic, without comparisons
   FactReader reader;                     // that read it
   std::shared_ptr<const Viewer> viewer;  // for its rooms
@@ -40,6 +40,11 @@ struct Home {
 
 /// Reads the scene's edges anew. Deterministic.
 Home prepare_home(Scene scene, const Profile& profile);
+
+/// Id of a room that the agent can walk to in the home and not in a scene that grew out of it, or nullopt. A room of a
+/// real home that nobody can walk to is there, and no reason to make no tasks in the others. `walk`: of the scene.
+std::optional<std::string> newly_unreached(const Home& home, const Scene& scene,
+                                           const std::shared_ptr<const Walk>& walk);
 
 /// The space that a node's moving parts pass through when it is opened, in W; nullopt when nothing moves.
 std::optional<Bounds> sweep_of(const Node& node);

@@ -38,7 +38,8 @@ class Checkup {
 
   std::vector<HomeFinding> findings() {
     for (std::size_t i = 0; i < scene_.nodes.size(); ++i) check(i);
-    for (const Drift& drift : drifting(scene_, world_, kMoves_m))
+    std::size_t work = kMostWork;
+    for (const Drift& drift : drifting(scene_, world_, kMoves_m, work))
       add(HomeFault::Restless, drift.node, "", drift.moved_m);
     const Walk walk = walk_in(scene_, profile_);
     for (const std::string& id : unreached_rooms(scene_, walk)) {

@@ -177,9 +177,7 @@ Reach::Reach(const Home& home, const Scene& scene, const GrownScene& grown, cons
       walk_(grown.walk),
       viewer_(*home.viewer) {}
 
-std::optional<std::string> Reach::unreached() const {
-  return walk_ == home_.walk ? home_.unreached : unreached_room(scene_, *walk_);
-}
+std::optional<std::string> Reach::unreached() const { return newly_unreached(home_, scene_, walk_); }
 
 bool Reach::room(const Room& room) const {
   const NavigationGrid& grid = walk_->grid;

@@ -28,7 +28,7 @@ class Reach {
  public:
   Reach(const Home& home, const Scene& scene, const GrownScene& grown, const Profile& profile);
 
-  /// Id of a room that the agent cannot walk to, as unreached_room says.
+  /// Id of a room that the agent cannot walk to any more (newly_unreached).
   std::optional<std::string> unreached() const;
   /// The body can walk into it.
   bool room(const Room& room) const;

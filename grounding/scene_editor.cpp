@@ -162,9 +162,7 @@ std::optional<std::string> SceneEditor::add_furniture(const std::string& categor
 }
 
 bool SceneEditor::leaves_rooms_open() {
-  const auto walk = workspace_.walk();
-  const auto room =
-      walk == workspace_.home()->walk ? workspace_.home()->unreached : unreached_room(workspace_.scene(), *walk);
+  const auto room = newly_unreached(*workspace_.home(), workspace_.scene(), workspace_.walk());
   return !room || fail(RejectionReason::NotReachable, *room + " cannot be walked to any more");
 }
 

@@ -71,7 +71,7 @@ Result<ImportedScene> assemble(const SourceScene& source, const Knowledge& knowl
   if (draft.scene.nodes.empty()) return refuse("no object of a known category can be placed");
   follow_evidence(draft);
   draft.report.arrived = count_in_place(source, draft, !options.settle);
-  if (options.settle) come_to_rest(source, draft);
+  if (options.settle) come_to_rest(source, options.most_work, draft);
   place_agent(source, profile, draft);
   draft.scene.edges = read_relations(draft.scene);
   draft.report.stayed = count_in_place(source, draft, options.settle);

@@ -57,8 +57,10 @@ Bounds box_of(const Node& node);
 void follow_evidence(Draft& draft);
 
 /// Lets everything that moves come to rest. What still moves by 2 mm in two seconds of physics is held in place (it
-/// cannot be picked up then) and listed: nothing in the scene moves farther afterwards.
-void come_to_rest(const SourceScene& source, Draft& draft);
+/// cannot be picked up then) and listed: nothing in the scene moves farther afterwards. When the work of all that
+/// passes `most_work`, everything is held where it is then; where the file has it, when the first fall is not over by
+/// then.
+void come_to_rest(const SourceScene& source, std::size_t most_work, Draft& draft);
 
 /// Sets the agent where the file has it, or on free floor. Lists rooms that it cannot walk to.
 void place_agent(const SourceScene& source, const Profile& profile, Draft& draft);

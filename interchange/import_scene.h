@@ -11,6 +11,7 @@
 #include "interchange/format_facts.h"
 #include "interchange/source_scene.h"
 #include "scene/scene.h"
+#include "simulation/drift.h"
 #include "simulation/profile.h"
 
 namespace unietp {
@@ -96,6 +97,7 @@ struct ImportOptions {
   bool settle = true;                                   // false: as the file says, without physics
   std::size_t most_objects = limits::kImportedObjects;  // a file with more is refused
   std::size_t most_rooms = limits::kImportedRooms;      // the same
+  std::size_t most_work = kMostWork;                    // of physics; then everything is held in place
 };
 
 /// Stage: a file's own account → a scene of ours with each known object at its place. Names are matched with the

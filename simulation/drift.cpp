@@ -14,14 +14,17 @@ std::vector<BodyId> loose_bodies(const Scene& scene) {
   return loose;
 }
 
-std::vector<Drift> drifting(const Scene& scene, const PhysicsWorld& world, double allowed_m) {
+std::vector<Drift> drifting(const Scene& scene, const PhysicsWorld& world, double allowed_m, std::size_t& work) {
   constexpr double kWatched_s = 2;
   SettleOptions options;
   options.max_steps = options.calm_steps = static_cast<int>(std::lround(kWatched_s / options.step_s));
   auto loose = loose_bodies(scene);
   std::map<std::size_t, double> farthest;
   for (int order = 0; order < 2; ++order, std::reverse(loose.begin(), loose.end())) {
-    for (const SettledBody& settled : world.settle(loose, options).bodies) {
+    options.most_work = work;
+    const Settled all = world.settle(loose, options);
+    work -= std::min(work, all.work);
+    for (const SettledBody& settled : all.bodies) {
       const std::size_t node = settled.body.index();
       const double moved = (settled.pose.position - scene.nodes[node].pose.position).norm();
       if (moved <= allowed_m) continue;  // not so what is no number

@@ -15,12 +15,17 @@ struct Drift {
   double fallen_m = 0;  // how far down, of that
 };
 
+/// Work that a home may take in physics altogether (SettleOptions::most_work): some twenty times what 300 movable
+/// objects take that stand apart.
+inline constexpr std::size_t kMostWork = 30'000'000;
+
 /// The bodies of all movable objects, in order of the nodes.
 std::vector<BodyId> loose_bodies(const Scene& scene);
 
 /// The movable objects that move by more than `allowed_m` in two seconds of physics, all released at once, in whichever
 /// of two orders the solver takes the bodies: what rests in one order alone starts to creep as soon as a task adds
-/// something elsewhere. In order of the nodes. Deterministic.
-std::vector<Drift> drifting(const Scene& scene, const PhysicsWorld& world, double allowed_m);
+/// something elsewhere. In order of the nodes. `work`: what may be done; what was done is taken off, and when nothing
+/// is left, less than two seconds were seen. Deterministic.
+std::vector<Drift> drifting(const Scene& scene, const PhysicsWorld& world, double allowed_m, std::size_t& work);
 
 }  // namespace unietp

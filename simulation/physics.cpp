@@ -251,7 +251,7 @@ std::optional<RayHit> PhysicsWorld::ray(const Vec3& from, const Vec3& to, std::s
 std::vector<BodyId> PhysicsWorld::near(const Bounds& bounds, double gap) const { return impl_->near(bounds, gap); }
 
 Settled PhysicsWorld::settle(std::span<const BodyId> loose, const SettleOptions& options) const {
-  if (loose.empty()) return {{}, true};
+  if (loose.empty()) return {{}, true, 0};
   Bounds region = impl_->at(loose.front()).bounds;
   for (const BodyId id : loose) region = merged(region, impl_->at(id).bounds);
   region.low.z() = -1;  // include everything below
@@ -264,7 +264,8 @@ Settled PhysicsWorld::settle(std::span<const BodyId> loose, const SettleOptions&
                            static_cast<double>(options.edge_calm_steps),
                            options.calm_m_s,
                            options.calm_rad_s,
-                           options.surroundings_m};
+                           options.surroundings_m,
+                           static_cast<double>(options.most_work)};
   append(key, numbers.data(), sizeof numbers);
   std::vector<SettlingBody> fixed, moving;
   const auto add = [&](const Body& body, std::vector<SettlingBody>& to) {
@@ -280,7 +281,7 @@ Settled PhysicsWorld::settle(std::span<const BodyId> loose, const SettleOptions&
   if (impl_->settled.size() >= kMostRemembered) impl_->settled.clear();
   const auto [known, fresh] = impl_->settled.try_emplace(std::move(key));
   if (fresh) known->second = come_to_rest(fixed, moving, region, options);
-  Settled settled{{}, known->second.calm};
+  Settled settled{{}, known->second.calm, known->second.work};
   for (std::size_t i = 0; i < loose.size(); ++i) settled.bodies.push_back({loose[i], known->second.poses[i]});
   return settled;
 }

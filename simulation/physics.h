@@ -35,6 +35,7 @@ struct SettledBody {
 struct Settled {
   std::vector<SettledBody> bodies;  // the loose ones, in the order given
   bool calm = false;                // all came to rest within max_steps
+  std::size_t work = 0;             // as SettleOptions::most_work counts it
 };
 
 /// All solids of a scene, for queries (contacts, overlaps, rays) and for letting objects come to rest. The world has

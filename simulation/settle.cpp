@@ -73,6 +73,8 @@ class Dynamics {
 
   void step(double seconds) { world_.stepSimulation(seconds, 0, seconds); }
 
+  std::size_t pairs() const { return static_cast<std::size_t>(dispatcher_.getNumManifolds()); }
+
   /// Whether every body's center is above its support and not near its edge.
   bool well_supported(const std::vector<btRigidBody*>& moving);
 
@@ -177,9 +179,11 @@ Rest come_to_rest(const std::vector<SettlingBody>& fixed, const std::vector<Sett
   std::vector<btRigidBody*> moving;
   for (const SettlingBody& body : loose) moving.push_back(&dynamics.add_loose(body));
 
+  Rest rest;
   int calm_for = 0, wanted = options.calm_steps;
-  for (int step = 0; step < options.max_steps && calm_for < wanted; ++step) {
+  for (int step = 0; step < options.max_steps && calm_for < wanted && rest.work < options.most_work; ++step) {
     dynamics.step(options.step_s);
+    rest.work += moving.size() + dynamics.pairs();
     const bool calm = std::all_of(moving.begin(), moving.end(), [&](const btRigidBody* body) {
       return body->getLinearVelocity().length() < options.calm_m_s &&
              body->getAngularVelocity().length() < options.calm_rad_s;
@@ -189,7 +193,6 @@ Rest come_to_rest(const std::vector<SettlingBody>& fixed, const std::vector<Sett
       wanted = options.edge_calm_steps;
     }
   }
-  Rest rest;
   rest.calm = calm_for >= wanted;
   for (const btRigidBody* body : moving) rest.poses.push_back(from_bullet(body->getWorldTransform()));
   return rest;

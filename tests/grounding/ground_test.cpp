@@ -335,6 +335,16 @@ TEST_F(Ground, LeavesTheFurnitureOfTheHomeAsItIs) {
             "accepted");
 }
 
+TEST_F(Ground, ARoomThatNobodyCanWalkToIsNoReasonToMakeNoTasksInTheOthers) {
+  double far = 0;
+  for (const Room& room : home_.rooms) far = std::max(far, room_bounds(room, 1).high.x());
+  home_.rooms.push_back({"shed_1", "bedroom", {{far + 1, 0}, {far + 4, 0}, {far + 4, 3}, {far + 1, 3}}});
+  const auto spec = specification(kHoldAMug, {"(exists (?a - Mug) (and))"});
+  const Home home = prepare_home(home_, style_->profile);
+  EXPECT_EQ(home.cut_off, std::vector<std::string>{"shed_1"});
+  EXPECT_EQ(reason(spec), "accepted");
+}
+
 TEST_F(Ground, SetsUpWhatTheHomeLacksAltogetherWhereItUsuallyStands) {
   erase_if(home_.nodes, [](const Node& node) { return node.category == "Bed"; });
   const auto spec = specification(kHoldAMug, {"(exists (?a - Mug) (and))", "(exists (?b - Bed) (and))"});

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -185,6 +186,20 @@ TEST(Assemble, ARoomAsWideAsATownIsRefused) {
   const auto home = imported(scene);
   ASSERT_FALSE(home);
   EXPECT_THAT(home.error().message, HasSubstr("accepted are at most 200 m"));
+}
+
+TEST(Assemble, AHeapThatTakesTooMuchWorkStaysWhereTheFileHasItFixedInPlace) {
+  SourceScene scene = kitchen();
+  for (int i = 0; i < 64; ++i)
+    scene.objects.push_back(thing("box" + std::to_string(i), "Box",
+                                  {-1 + 0.07 * (i % 4), -1 + 0.07 * (i / 4 % 4), 0.1 + 0.07 * (i / 16)},
+                                  {0.15, 0.15, 0.15}));
+  const auto home = imported(scene, {.most_work = 5000});
+  ASSERT_TRUE(home) << format(home.error());
+  for (const Node& node : home->scene.nodes) EXPECT_FALSE(node.movable) << node.id;
+  EXPECT_EQ(home->report.stayed, home->report.arrived);
+  EXPECT_EQ(std::ranges::count(reasons_of(home->report), "restless"), 67) << "64 boxes, mug, apple and cup";
+  EXPECT_THAT(home->report.issues.front().detail, HasSubstr("too crowded"));
 }
 
 TEST(Assemble, AMillionObjectsAreRefusedAtOnce) {
