@@ -93,6 +93,7 @@ std::optional<Naming::Description> Naming::describe(const NounPhrase& said, Plac
         !place.exact && (modifier->predicate == Predicate::Nearest || modifier->predicate == Predicate::InRoom);
     inside.denied = modifier->negated;
     inside.near = modifier->predicate == Predicate::NextTo;
+    inside.of_every = said.determiner == Determiner::Every;
     if (modifier->converse) {
       const auto object = phrase(modifier->object[0], inside);
       if (!object || rest.size() > 1) return std::nullopt;

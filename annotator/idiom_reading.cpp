@@ -219,7 +219,7 @@ Clause ClauseReader::remaining() {
 bool ClauseReader::left_alone(Clause& clause) {
   const int others =
       words_.accept_one({"do not open any of the others", "leave the others closed", "do not open the other one",
-                         "leave the other one closed", "don't touch the others", "don't touch the other one"});
+                         "leave the other one closed", "don't open the others", "don't open the other one"});
   if (others >= 0) {
     NounPhrase rest = words_.last_noun();
     rest.determiner = Determiner::Every;

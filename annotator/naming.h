@@ -37,6 +37,7 @@ struct Place {
   bool inside_description = false;
   bool unique = false;      // the home has one only: "nearest to the sink"
   bool near = false;        // of a description: what it is next to
+  bool of_every = false;    // of a description: it is of every such thing
   bool denied = false;      // of a description: what it does not fit, "that is not in any sink"
   bool wanted = false;      // some such thing, not one that is there: "someone wants a hot potato"
   bool bare = false;        // no place follows, so a place can describe the noun: "open the drawer in the kitchen"

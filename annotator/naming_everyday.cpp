@@ -122,7 +122,8 @@ Words Naming::first_everyday(const NounPhrase& said, const Noun& noun, Place pla
   // "The mug on one of the desks", of which there are several.
   const bool told_by_one = place.inside_description && !place.denied && !place.near && said.there > 1 && !described &&
                            noun.countable && !noun.function && !is_carried(said.noun);
-  if (told_by_one) return {"one of the " + noun.plural};
+  // "All the pants that are on the beds": on any of them.
+  if (told_by_one) return {(place.of_every ? "the " : "one of the ") + noun.plural, place.of_every};
   if (place.beside_every) {
     const bool several = said.there > 1 && !described && noun.countable && !is_carried(said.noun);
     const bool room = !said.noun.members.empty() && lexicon_.is_room_type(said.noun.members[0].category);

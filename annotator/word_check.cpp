@@ -153,7 +153,7 @@ class Check {
     for (const std::string& category : goal_.categories)
       if (!is_named(category, text_) && !by_function) lacks("what '" + shown(category) + "' is about");
     for (const auto& noun : text_.nouns)
-      if (!names(noun, goal_.categories) && !allowed_by_style(noun) && !is_said_by(noun))
+      if (!names(noun, goal_.categories) && !allowed_by_style(noun) && !is_said_by(noun) && !is_of_a_symbol(noun))
         exceeds("'" + shown(noun.nouns.front()) + "'");
   }
 
@@ -171,6 +171,11 @@ class Check {
   bool is_said_by(const NameInText& noun) const {
     return !noun.word.empty() && std::any_of(goal_.predicates.begin(), goal_.predicates.end(),
                                              [&](P predicate) { return is_among(noun.word, words_for(predicate)); });
+  }
+
+  /// Whether the name is a part of a symbol of the goal: "onion powder".
+  bool is_of_a_symbol(const NameInText& noun) const {
+    return !noun.nouns.empty() && in_a_symbol(replace_all(shown(noun.nouns.front()), " ", "_"));
   }
 
   std::string shown(const std::string& category) const {

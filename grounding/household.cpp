@@ -94,8 +94,12 @@ double Household::in_room(std::string_view category, std::string_view room) cons
   return suits == kind->second.end() ? 1 : suits->second;
 }
 
+bool Household::is_usual_in(std::string_view category, std::string_view room) const {
+  return in_room(category, room) >= kUsualRoom;
+}
+
 bool Household::keeps(std::string_view category, std::string_view receptacle, std::string_view room) const {
-  return in_room(category, room) >= (put_away_.contains(receptacle) ? kUsualRoom : kNoRoom);
+  return put_away_.contains(receptacle) ? is_usual_in(category, room) : in_room(category, room) >= kNoRoom;
 }
 
 double Household::on_floor(std::string_view category) const {

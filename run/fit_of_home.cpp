@@ -74,7 +74,8 @@ bool leaves_place_open(const Formula& goal, const Layout& layout) {
 RoomSuits rooms_for(const Formula& goal, const Household& household) {
   return [things = goal_places(goal), &household](const std::string& place, const std::string& room) {
     return std::all_of(things.begin(), things.end(), [&](const auto& of) {
-      return !of.second.contains(place) || household.keeps(of.first, place, room);
+      return !of.second.contains(place) ||
+             (household.keeps(of.first, place, room) && household.is_usual_in(of.first, room));
     });
   };
 }
