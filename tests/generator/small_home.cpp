@@ -193,13 +193,15 @@ bool fits_by_scan(const Template& source, const Binding& binding, const Knowledg
       if (names.size() != arguments.size()) return false;
       continue;
     }
-    bool found = false;
     if (kind == "comes-in-sizes") {  // nothing has models here, so all may be scaled but what nobody tells by its size
       const std::set<std::string> same{"game",       "pocket_thing", "phone",     "gadget",
                                        "stationery", "cutlery",      "periodical"};
       const auto& kinds = knowledge.find(category_of(arguments[0]))->kinds;
-      found = std::none_of(kinds.begin(), kinds.end(), [&](const std::string& own) { return same.contains(own); });
+      if (std::any_of(kinds.begin(), kinds.end(), [&](const std::string& own) { return same.contains(own); }))
+        return false;
+      continue;
     }
+    bool found = false;
     if (kind == "comes-in") {
       const auto* known = knowledge.find(category_of(arguments[0]));
       auto words = known->colours;
