@@ -40,7 +40,8 @@ class Household {
   /// (`kNoRoom`). 1 for what has no kind.
   double in_room(std::string_view category, std::string_view room) const;
   static constexpr double kNoRoom = 0.0144;
-  /// Whether such a room is one where things of the category usually are: wine is not asked for on a bathroom's counter.
+  /// Whether such a room is one where things of the category usually are: wine is not asked for on a bathroom's
+  /// counter.
   bool is_usual_in(std::string_view category, std::string_view room) const;
   /// Whether things of the category are kept on or in a receptacle that stands in such a room. What stands about is in
   /// any room that suits it at times; into places of PlaceUse::PutAway it goes only in rooms where it usually is.
