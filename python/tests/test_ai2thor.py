@@ -33,7 +33,7 @@ def tasks(tmp_path_factory) -> Path:
     folder = tmp_path_factory.mktemp("ai2thor")
     for arguments in (
         ["scene", "import", "auto", HOUSES, "--out", folder / "homes"],
-        ["generate", "--count", 16, "--seed", 5, "--simulators", "ai2thor", "--scenes", folder / "homes", "--modes", "M1",
+        ["generate", "--count", 16, "--seed", 9, "--simulators", "ai2thor", "--scenes", folder / "homes", "--modes", "M1",
          "--out", folder / "tasks"],
         ["export", folder / "tasks", "--format", "ai2thor", "--out", folder / "out"],
     ):
