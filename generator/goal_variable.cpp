@@ -102,6 +102,13 @@ std::vector<std::string> bound_variables(const Formula& formula) {
   return names;
 }
 
+std::set<Predicate> predicates_in(const Formula& formula) {
+  std::set<Predicate> found;
+  if (formula.op == Op::Atom) found.insert(formula.predicate);
+  for (const auto& child : formula.children) found.merge(predicates_in(child));
+  return found;
+}
+
 std::vector<Predicate> predicates_of(const Formula& formula, const std::string& variable) {
   std::vector<Predicate> found;
   collect_predicates(formula, variable, found);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,9 @@ Formula with_domain(const Formula& goal, const GoalVariable& variable, const Dom
 
 /// Names of all variables that a formula binds, domains included.
 std::vector<std::string> bound_variables(const Formula& formula);
+
+/// The predicates of a formula, outside of its domains.
+std::set<Predicate> predicates_in(const Formula& formula);
 
 /// Every predicate that the formula applies to the variable, also inside its domains.
 std::vector<Predicate> predicates_of(const Formula& formula, const std::string& variable);

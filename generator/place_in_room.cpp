@@ -31,17 +31,6 @@ std::string room_of(const Formula& test, const std::string& variable) {
   return in_it ? test.domain.members.front().category : "";
 }
 
-Formula only_one(const Formula& test) {
-  Formula one;
-  one.op = Op::Count;
-  one.comparison = Comparison::Equal;
-  one.number = 1;
-  one.variable = test.variable;
-  one.domain = test.domain;
-  one.children = {Formula{}};
-  return one;
-}
-
 const Domain* domain_of(const Formula& formula, const std::string& variable) {
   if (formula.op == Op::Exists && formula.variable == variable) return &formula.domain;
   for (const Formula& child : formula.children)
@@ -59,7 +48,8 @@ std::optional<Specification> with_place_in_room(const Specification& plain, cons
     domain.where = {place.test};
     named.goal = with_domain(plain.goal, variable, domain);
     if (!demand_referents(named, variable, {place.test}, Comparison::AtLeast, 1)) return std::nullopt;
-    const Formula one = only_one(place.test);
+    const GoalVariable room{place.test.variable, place.test.domain.members.front().category, Op::Exists, 1};
+    const Formula one = counted(room, Comparison::Equal, 1, Formula{});
     if (std::find(named.init.begin(), named.init.end(), one) == named.init.end()) named.init.push_back(one);
     return named;
   }

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "generator/reference.h"
+#include "generator/refinement.h"
 #include "logic/evaluate.h"
 #include "sense/place_uses.h"
 #include "templates/init_shape.h"
@@ -132,14 +133,7 @@ class Landmarks {
     return {kind, exists(other_, of_category(other), atom(relation, {variable_.variable, other_})), {}};
   }
   Formula only_one(const std::string& category) const {
-    Formula one;
-    one.op = Formula::Op::Count;
-    one.comparison = Comparison::Equal;
-    one.number = 1;
-    one.variable = other_;
-    one.domain = of_category(category);
-    one.children = {Formula{}};
-    return one;
+    return counted({other_, category, Formula::Op::Exists, 1}, Comparison::Equal, 1, Formula{});
   }
 
   const GoalVariable& variable_;

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <set>
 
 #include "generator/goal_variable.h"
 #include "generator/refinement.h"
@@ -26,17 +25,6 @@ constexpr std::array kShares = {
 bool says(const Formula& goal, const auto& is_asked) {
   return is_asked(goal) || std::any_of(goal.children.begin(), goal.children.end(),
                                        [&](const Formula& child) { return says(child, is_asked); });
-}
-
-void add_predicates(const Formula& formula, std::set<Predicate>& into) {
-  if (formula.op == Formula::Op::Atom) into.insert(formula.predicate);
-  for (const Formula& child : formula.children) add_predicates(child, into);
-}
-
-std::set<Predicate> predicates_in(const Formula& formula) {
-  std::set<Predicate> found;
-  add_predicates(formula, found);
-  return found;
 }
 
 std::vector<Style> in_drawn_order(Rng& rng) {

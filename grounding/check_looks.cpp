@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "generator/goal_variable.h"
 #include "grounding/goal_places.h"
 #include "logic/evaluate.h"
 #include "simulation/contrast.h"
@@ -9,16 +10,9 @@
 namespace unietp {
 namespace {
 
-using Op = Formula::Op;
-
-void add_predicates(const Formula& formula, std::vector<Predicate>& predicates) {
-  if (formula.op == Op::Atom) predicates.push_back(formula.predicate);
-  for (const Formula& child : formula.children) add_predicates(child, predicates);
-}
-
 /// Which of the pairs of a thing that is meant and one that is not looks alike by what the words say of them.
 std::optional<std::string> alike(const std::vector<const Node*>& meant, const std::vector<const Node*>& others,
-                                 const std::vector<Predicate>& predicates, Simulator simulator) {
+                                 const std::set<Predicate>& predicates, Simulator simulator) {
   std::vector<std::pair<Node, Node>> seen;  // pairs that are told apart
   for (const Node* one : meant) {
     for (const Node* other : others) {
@@ -47,8 +41,6 @@ std::optional<GroundingFailure> check_looks(const Specification& specification, 
     if (one.domain.where.empty()) continue;
     const Formula& where = one.domain.where.front();
     if (free_variables(where) != std::vector<std::string>{one.variable}) continue;
-    std::vector<Predicate> predicates;
-    add_predicates(where, predicates);
     Domain all = one.domain;
     all.where.clear();
     const auto referents = members_of(one.domain, one.variable, trace);
@@ -59,7 +51,7 @@ std::optional<GroundingFailure> check_looks(const Specification& specification, 
       const bool is_meant = std::find(referents.begin(), referents.end(), entity) != referents.end();
       (is_meant ? meant : others).push_back(&start.nodes[*place]);
     }
-    if (const auto pair = alike(meant, others, predicates, specification.simulator))
+    if (const auto pair = alike(meant, others, predicates_in(where), specification.simulator))
       return GroundingFailure{RejectionReason::LooksAlike, "pictures do not tell " + *pair, {}};
   }
   return std::nullopt;
