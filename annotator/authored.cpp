@@ -175,7 +175,9 @@ class Author {
     place.inside_description = !whole;
     place.beside_every = said_all_ && whole;
     const auto named = naming_.phrase(thing, place);
-    if (!named || (named->plural && speaks_of_one_)) return std::nullopt;
+    if (!named) return std::nullopt;
+    const bool several = named->plural || named->text.find("pair of ") != std::string::npos;  // "them"
+    if (several && speaks_of_one_) return std::nullopt;
     const bool article = slot.form == "indefinite" || slot.form == "definite" || slot.form == "slice";
     if (article) return named->text;
     return (slot.form == "inside" ? "in" : replace_all(slot.form, "-", " ")) + " " + named->text;

@@ -72,7 +72,8 @@ std::optional<std::string> contrasted(const std::string& text, const Formula& go
     const auto end = static_cast<std::size_t>(last.column) - 1 + last.text.size();
     const bool goes_on = tokens[i + 2 + length].text != "." && tokens[i + 2 + length].text != "?";
     const auto* name = lexicon.display(thing->members[0].category);
-    const bool plural = name != nullptr && !name->countable && name->singular.ends_with('s');
+    const bool plural =
+        name != nullptr && name->singular.ends_with('s') && (!name->countable || name->plural == name->singular);
     const std::string other = ", not the " + rng.pick(words) + (plural ? " ones" : " one");
     return text.substr(0, end) + other + (goes_on && text[end] != ',' ? "," : "") + text.substr(end);
   }

@@ -11,7 +11,7 @@ struct EverydayName {
 };
 
 /// In order of name.
-constexpr std::array<EverydayName, 441> kEverydayNames{{
+constexpr std::array<EverydayName, 442> kEverydayNames{{
     {"Virginia ham", "ham", "ham"},
     {"agave", "agave plant", "agave plant"},
     {"alcohol", "bottle of liquor", "bottle of spirits"},
@@ -373,6 +373,7 @@ constexpr std::array<EverydayName, 441> kEverydayNames{{
     {"shiitake", "shiitake mushroom", "shiitake mushroom"},
     {"shortening carton", "carton of shortening", "carton of shortening"},
     {"shredder", "paper shredder", "paper shredder"},
+    {"sink cabinet", "cabinet under the sink", "cabinet under the sink"},
     {"skyrocket", "bottle rocket", "firework rocket"},
     {"slice of cold cuts", "slice of lunch meat", "slice of cold meat"},
     {"slice of eggplant", "slice of eggplant", "slice of aubergine"},

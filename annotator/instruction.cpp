@@ -310,11 +310,11 @@ class Writer {
     std::string text = with_plain_places(nouns_.english() == English::Us ? american(written) : written);
     const auto where = text.find(" where ");
     const bool plain = with_plain_places(written) != written;
-    // "Put it where we keep the milk and close it."
+    // "Put it where we wash our hands and close it."
     if (plain && text.find(" it", where) != text.npos) return std::nullopt;
     if (!sounds_right(text)) return std::nullopt;
     if (is_everyday()) text = with_tops(std::move(text), nouns_);
-    // Nobody is asked to close "the place where we keep the milk".
+    // Nobody is asked to close "the place where we wash our hands".
     if (text.find(" the place where ") != text.npos || text.find(" the spot where ") != text.npos) return std::nullopt;
     if (!judge_.reads_back(text) || !style_fault(text, style, specification_.goal, options_.around, nouns_).empty())
       return std::nullopt;

@@ -232,6 +232,7 @@ std::optional<Words> Naming::phrase(const NounPhrase& said, Place place) {
 /// "every mug but the red one"
 std::optional<Words> Naming::all_but(const NounPhrase& said, const Noun& noun) {
   if (said.determiner != Determiner::Every || !noun.countable || noun.function || said.there == 1) return std::nullopt;
+  if (everyday() && !pair_name(said.noun, noun).empty()) return std::nullopt;  // "all the pants but the blue one"
   const auto left = describe(said, {});
   if (!left) return std::nullopt;
   NounPhrase all = said;

@@ -30,9 +30,9 @@ bool says(const std::vector<Token>& text, std::string_view name);
 /// "" for what has no singular, as "leaves for a salad".
 std::string named_again(std::string_view use);
 
-/// "where we keep the milk" of "the place where we keep the milk"; "" for what names no place so.
+/// "where we wash our hands" of "the place where we wash our hands"; "" for what names no place so.
 std::string where_of(std::string_view use);
-/// The same of every such phrase behind a preposition in a text: "in the place where we keep the milk".
+/// The same of every such phrase behind a preposition in a text: "in the place where we wash our hands".
 std::string with_plain_places(std::string text);
 
 /// "On top of the cabinet" for "on the cabinet", which is heard as a slip for "in".
@@ -59,7 +59,7 @@ class NounTable {
   /// order. A text may also have those that only a dictionary knows.
   std::vector<Name> synonyms(const std::string& category) const;
   /// What stands for things without their names: a noun phrase ("something to drink from", "a piece of cutlery", "the
-  /// place where we keep the milk") or a sentence ("I want to make a salad.", "It's too dark to read.").
+  /// place where we wash our hands") or a sentence ("I want to make a salad.", "It's too dark to read.").
   struct Phrase {
     AliasKind use = AliasKind::Function;
     Domain noun;
@@ -101,7 +101,7 @@ class NounTable {
   Reading room_at(const std::vector<Token>& tokens, std::size_t at) const;
   /// The phrase that starts here, unless a name goes on behind its article: "a light switch" is no light.
   Reading function_at(const std::vector<Token>& tokens, std::size_t at) const;
-  /// The same for "where we keep the milk", of "the place where we keep the milk".
+  /// The same for "where we wash our hands", of "the place where we wash our hands".
   Reading where_at(const std::vector<Token>& tokens, std::size_t at) const;
   /// The same for a function phrase that is named again, after "that".
   Reading function_again_at(const std::vector<Token>& tokens, std::size_t at) const;

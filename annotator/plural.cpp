@@ -37,7 +37,7 @@ bool is_vowel(char c) { return std::string_view("aeiou").find(c) != std::string_
 }  // namespace
 
 std::string plural_of(std::string_view noun) {
-  for (const std::string_view link : {" of ", " with ", " without ", " for ", " in "})
+  for (const std::string_view link : {" of ", " with ", " without ", " for ", " in ", " under "})
     if (const auto at = noun.find(link); at != std::string_view::npos)
       return plural_of(noun.substr(0, at)) + std::string(noun.substr(at));
   for (const std::string_view same : kUnchanging)

@@ -83,7 +83,7 @@ Complement PhraseReader::complement() {
     read.negated = !read.negated;
     return read;
   }
-  if (const auto where = lexicon_.where_at(tokens_, at_); where.length > 0) {  // "where we keep the milk"
+  if (const auto where = lexicon_.where_at(tokens_, at_); where.length > 0) {  // "where we wash our hands"
     NounPhrase place;
     place.noun = where.nouns.front();
     place.by_function = true;

@@ -219,7 +219,7 @@ class Check {
     }
   }
 
-  /// "where we keep the milk", "the kitchen faucet"
+  /// "where we wash our hands", "the kitchen faucet"
   bool is_said_by_a_name(P predicate) const {
     const bool place = predicate == P::On || predicate == P::Inside;
     if (!place && predicate != P::InRoom) return false;

@@ -27,6 +27,14 @@ bool is_free(const StateGroup& group, const GoalVariable& variable, const Specif
   });
 }
 
+/// Whether people call such a thing raw or cooked: meat, eggs and vegetables, not bread.
+bool is_cooked_first(const Category& category) {
+  constexpr std::array<std::string_view, 4> kCooked{"raw_meat", "raw_egg", "cooking_vegetable", "dough"};
+  return std::any_of(category.kinds.begin(), category.kinds.end(), [&](const std::string& kind) {
+    return std::find(kCooked.begin(), kCooked.end(), kind) != kCooked.end();
+  });
+}
+
 /// Whether one sees, and says, that such a thing is on: not of a soap dispenser or a sink.
 bool is_seen_running(const Category& category) {
   constexpr std::array<std::string_view, 12> kRuns{
@@ -47,6 +55,9 @@ std::vector<Reference> by_state(const GoalVariable& variable, const Specificatio
       if (state.predicate == Predicate::PowerOn && category != nullptr && !category->kinds.empty() &&
           !is_seen_running(*category))
         continue;
+      const bool cooking = state.predicate == Predicate::Cooked || state.predicate == Predicate::Raw ||
+                           state.predicate == Predicate::Burnt;
+      if (cooking && category != nullptr && !category->kinds.empty() && !is_cooked_first(*category)) continue;
       found.push_back({Referring::ByState, atom(state.predicate, {variable.variable}), {}});
     }
   }

@@ -4,6 +4,7 @@
 #include "generator/goal_variable.h"
 #include "generator/reference.h"
 #include "generator/refinement.h"
+#include "scene/states.h"
 
 namespace unietp {
 namespace {
@@ -34,9 +35,11 @@ std::vector<Reference> offered(Style style, const GoalVariable& variable, const 
   for (const Referring kind : kinds_for(style))
     for (auto& reference : references(kind, variable, plain, knowledge, offer, rng.fork(name_of(kind), 0)))
       all.push_back(std::move(reference));
-  // "The mug that is not on the desk", but not "that is not next to a bowl" or "not on any of the desks".
+  // "The mug that is not on the desk", but not "that is not next to a bowl", "not on any of the desks", or "not dirty",
+  // which is clean.
   if (style == Style::Negation)
     std::erase_if(all, [&](const Reference& one) {
+      if (one.kind == Referring::ByState) return opposite_of(one.test.predicate).has_value();
       return one.kind == Referring::ByRelation && (one.test.children.front().predicate == Predicate::NextTo ||
                                                    number_of(offer, one.test.domain.members.front().category) > 1);
     });

@@ -16,9 +16,9 @@ struct StyleShare {
   double weight;
 };
 constexpr std::array kShares = {
-    StyleShare{Style::Alias, 1},          StyleShare{Style::Function, 1},        StyleShare{Style::Hypernym, 2},
-    StyleShare{Style::Description, 3},    StyleShare{Style::Context, 1.2},       StyleShare{Style::Request, 100},
-    StyleShare{Style::Aside, 0.8},        StyleShare{Style::Negation, 0.7},      StyleShare{Style::Exception, 100},
+    StyleShare{Style::Alias, 1},          StyleShare{Style::Function, 1},        StyleShare{Style::Hypernym, 8},
+    StyleShare{Style::Description, 30},   StyleShare{Style::Context, 1.2},       StyleShare{Style::Request, 100},
+    StyleShare{Style::Aside, 0.8},        StyleShare{Style::Negation, 0.7},      StyleShare{Style::Exception, 200},
     StyleShare{Style::Ellipsis, 3},       StyleShare{Style::Anaphora, 2},        StyleShare{Style::Compound, 10},
     StyleShare{Style::InvertedOrder, 20}, StyleShare{Style::VagueQuantity, 100}, StyleShare{Style::Condition, 20}};
 
@@ -83,9 +83,15 @@ std::optional<Specification> refined(const Specification& plain, const Knowledge
     case Style::Condition:
       return is_undone_in_one(plain, offer) ? std::optional(reworded(plain, style)) : std::nullopt;
     case Style::InvertedOrder: {
-      // "Before you put the apple in the fridge, put the egg in it" says it back to front.
+      // "Before you close the fridge, put the egg in it", but not "before you put the apple in the fridge, put the
+      // egg in it" nor "before you heat the pan, wash it", which asks for no heat.
       const auto in_order = [](const Formula& f) {
-        return f.op == Formula::Op::Before && predicates_in(f.children[0]) != predicates_in(f.children[1]);
+        if (f.op != Formula::Op::Before) return false;
+        const auto first = predicates_in(f.children[0]), then = predicates_in(f.children[1]);
+        return first != then && std::all_of(then.begin(), then.end(), [](Predicate one) {
+                 return one == Predicate::Open || one == Predicate::Closed || one == Predicate::PowerOn ||
+                        one == Predicate::PowerOff;
+               });
       };
       return says(plain.goal, in_order) ? std::optional(reworded(plain, style)) : std::nullopt;
     }

@@ -20,8 +20,8 @@ std::vector<Formula> tests_of(const std::vector<Reference>& references) {
   return tests;
 }
 
-/// How many objects the reference is to pick out: one for "a mug", two for "both mugs", one more than "two of the
-/// mugs".
+/// How many objects the reference is to pick out: one for "a mug", two for "both mugs" and "two mugs": nobody asks for
+/// two dirty mugs of three.
 struct Wanted {
   Comparison comparison = Comparison::Equal;
   int number = 1;
@@ -29,7 +29,7 @@ struct Wanted {
 
 Wanted wanted_for(const GoalVariable& variable, const Specification& plain, Rng& rng) {
   if (variable.quantifier == Op::Exists) return {};
-  if (variable.quantifier == Op::Count) return {Comparison::AtLeast, variable.number + (variable.number < 3 ? 1 : 0)};
+  if (variable.quantifier == Op::Count) return {Comparison::Equal, variable.number};
   int least = 2;
   for (const auto& start : plain.init) {
     if (concerns(start, variable.category)) least = std::max(least, demanded_count(start));

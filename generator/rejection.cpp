@@ -75,6 +75,9 @@ constexpr std::array<ReasonInfo, kRejectionReasonCount> kReasons{{
      "the objects are too large for the place that they share: choose fewer or smaller objects, or a larger place"},
     {Reason::NotSeen, Stage::Grounding, "not-seen",
      "the object is too small in images: choose larger categories, or no --modes M3"},
+    {Reason::OddReference, Stage::Grounding, "odd-reference",
+     "in these homes nobody tells the objects apart by that (docs/gate.md): choose another reference or other "
+     "categories, or allow it with --sense any"},
     {Reason::LooksAlike, Stage::Grounding, "looks-alike",
      "the color, material or state that tells the objects apart does not show: choose another one, or other "
      "categories"},

@@ -59,6 +59,7 @@ enum class RejectionReason : std::uint8_t {
   NoSpot,        // nothing could be put where the goal wants it, or its door meets something fixed
   NotTogether,   // each finds a spot, but not all of them at once
   NotSeen,       // too small or too hidden to show clearly in any picture
+  OddReference,  // nobody in this home would tell the objects apart by that
   LooksAlike,    // a color, material or state that the words tell things apart by does not show
   OddStart,      // nobody's home looks as the start would have to
   // annotator

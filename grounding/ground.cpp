@@ -146,8 +146,8 @@ std::variant<Grounded, Rejection> ground(const Specification& specification, con
     episode.changes = workspace.changes();
     episode.start = start_in(home.scene, home.places, episode.changes);  // in the order that it will be read in
     grown = read_grown(home, episode.start);
-    problem =
-        check_start(specification, home, episode.start, grown, editor.touched(), knowledge, profile, options.pictured);
+    problem = check_start(specification, home, episode.start, grown, editor.touched(), knowledge, profile,
+                          {options.pictured, options.likely});
     if (!problem) break;
     // What stands out of reach or unsteadily gets another place, then all is checked again.
     const bool misplaced =

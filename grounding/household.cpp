@@ -102,6 +102,11 @@ bool Household::keeps(std::string_view category, std::string_view receptacle, st
   return put_away_.contains(receptacle) ? is_usual_in(category, room) : in_room(category, room) >= kNoRoom;
 }
 
+bool Household::is_personal(std::string_view category) const {
+  const auto lineage = kinds_.lineage(kind_of(category));
+  return std::any_of(lineage.begin(), lineage.end(), [](const Kind* kind) { return kind->personal; });
+}
+
 double Household::on_floor(std::string_view category) const {
   const auto found = on_floor_.find(kind_of(category));
   return found == on_floor_.end() ? 0 : found->second;

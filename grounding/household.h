@@ -52,6 +52,8 @@ class Household {
   bool washes(std::string_view receptacle) const { return washing_.contains(receptacle); }
   /// Whether tasks put things on or into such a receptacle though nobody keeps them there (PlaceUse::Passing).
   bool passes(std::string_view receptacle) const { return passing_.contains(receptacle); }
+  /// Whether each thing of the category belongs to somebody (Kind::personal).
+  bool is_personal(std::string_view category) const;
   /// How usual it is that things of a movable category are on the floor, from 0 to 1: 0 unless CommonSense calls it
   /// usual, but toys are left there at times.
   double on_floor(std::string_view category) const;

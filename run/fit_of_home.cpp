@@ -13,14 +13,19 @@
 namespace unietp {
 namespace {
 
-/// Whether each place that the goal names for a thing stands somewhere in a room where people keep such things: no
-/// kitchen knife goes into a drawer where all drawers are in bedrooms. What the home lacks is not looked at.
-bool rooms_suit(const Formula& goal, const Layout& layout, const Household& household) {
+/// Whether each place that the goal names for a thing stands somewhere in a room where people have such places and keep
+/// such things: no kitchen knife goes into a drawer where all drawers are in bedrooms, and what stands in an office is
+/// not called a dining table. What the home lacks is not looked at.
+bool rooms_suit(const Formula& goal, const Layout& layout, const Household& household, const Knowledge& knowledge) {
   const Home& home = layout.home;
   const auto suits = [&](const std::string& category, std::size_t node) {
     const auto room = home.rooms[node];
-    return room < 0 || household.keeps(category, home.scene.nodes[node].category,
-                                       home.scene.rooms[static_cast<std::size_t>(room)].type);
+    if (room < 0) return true;
+    const std::string& type = home.scene.rooms[static_cast<std::size_t>(room)].type;
+    const std::string& place = home.scene.nodes[node].category;
+    const auto& usual = knowledge.find(place)->rooms;
+    return std::find(usual.begin(), usual.end(), type) != usual.end() && household.keeps(category, place, type) &&
+           (!household.passes(place) || household.is_usual_in(category, type));
   };
   for (const auto& [category, places] : goal_places(goal)) {
     for (const std::string& place : places) {
@@ -58,17 +63,27 @@ bool all_sinks_suit(const Formula& goal, const Layout& layout, const Household& 
   });
 }
 
-bool leaves_place_open(const Formula& goal, const Layout& layout) {
-  constexpr std::size_t kSome = 3;
+bool leaves_open(const Formula& goal, const Layout& layout, const Household& household) {
   const Home& home = layout.home;
-  const auto domains = quantified_domains(goal);
-  return std::any_of(domains.begin(), domains.end(), [&](const QuantifiedDomain& one) {
-    if (one.op != Formula::Op::Exists || one.domain.members.size() != 1 || !one.domain.where.empty()) return false;
-    const auto& there = home.places.of(one.domain.members.front().category);
-    if (there.size() < kSome || home.scene.nodes[there.front()].movable) return false;
+  const auto is_open = [&](const QuantifiedDomain& one) {
+    const Domain& asked = one.domain;
+    if (one.op != Formula::Op::Exists || asked.members.empty() || !asked.where.empty()) return false;
+    const std::string& category = asked.members.front().category;
+    const auto& rooms = home.scene.rooms;
+    if (std::count_if(rooms.begin(), rooms.end(), [&](const Room& room) { return room.type == category; }) > 1)
+      return true;
+    std::vector<std::size_t> there;
+    for (const Domain::Member& member : asked.members) {
+      const auto& of_member = home.places.of(member.category);
+      there.insert(there.end(), of_member.begin(), of_member.end());
+    }
+    if (there.size() < 2) return false;
+    if (home.scene.nodes[there.front()].movable) return asked.members.size() == 1 && household.is_personal(category);
     return std::any_of(there.begin(), there.end(),
                        [&](std::size_t node) { return home.rooms[node] != home.rooms[there.front()]; });
-  });
+  };
+  const auto domains = quantified_domains(goal);
+  return std::any_of(domains.begin(), domains.end(), is_open);
 }
 
 RoomSuits rooms_for(const Formula& goal, const Household& household) {
@@ -97,7 +112,7 @@ BindingCheck fits_home(const RunConfiguration& configuration, const Resources& r
     const auto filled = fill_in(source, knowledge, all);
     const auto* specification = std::get_if<Specification>(&filled);
     if (specification == nullptr || misfit(specification->init, knowledge, layout.offer.now) != nullptr) return false;
-    if (household != nullptr && !rooms_suit(specification->goal, layout, *household)) return false;
+    if (household != nullptr && !rooms_suit(specification->goal, layout, *household, knowledge)) return false;
     return !refused_by(*specification, knowledge);
   };
 }

@@ -22,9 +22,10 @@ BindingCheck fits_home(const RunConfiguration& configuration, const Resources& r
 /// What the home lacks is not looked at.
 bool all_sinks_suit(const Formula& goal, const Layout& layout, const Household& household);
 
-/// Whether the goal leaves open which of three or more pieces of furniture, in several rooms, is meant: nobody is
-/// indifferent among the drawers of all rooms.
-bool leaves_place_open(const Formula& goal, const Layout& layout);
+/// Whether the goal leaves open what nobody is indifferent about: which of several rooms of a type or of several
+/// pieces of furniture in several rooms is meant, or which of several things that each belong to somebody
+/// (Household::is_personal).
+bool leaves_open(const Formula& goal, const Layout& layout, const Household& household);
 
 /// Whether people keep all things that the goal puts into a place of a category in such places of a type of room. The
 /// household must outlive it.

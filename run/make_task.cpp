@@ -89,8 +89,9 @@ std::variant<Specification, Rejection> specify_once(const Template& source, cons
   if (asked.least > Grade::Senseless) {
     if (asked.household != nullptr && !all_sinks_suit(specified->goal, layout, *asked.household))
       return Rejection{RejectionReason::Senseless, to_text(*binding) + ": a place in another room would do, too"};
-    if (asked.least == Grade::Usual && leaves_place_open(specified->goal, layout))
-      return Rejection{RejectionReason::Senseless, to_text(*binding) + ": any of several places would do"};
+    if (asked.household != nullptr && asked.least == Grade::Usual &&
+        leaves_open(specified->goal, layout, *asked.household))
+      return Rejection{RejectionReason::Senseless, to_text(*binding) + ": any of several would do"};
     const TaskSense sense = sense_of(*specified);
     if (sense.grade < asked.least) return Rejection{RejectionReason::Senseless, said_of(*binding, sense)};
   }

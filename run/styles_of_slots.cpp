@@ -16,18 +16,22 @@ using Counts = std::array<int, kStyleCount>;
 
 std::size_t position(Style style) { return static_cast<std::size_t>(style); }
 
-/// How many tasks of a style there are for ten of another. Goals by function and by kind have many words to be said in,
-/// which more tasks show; of those about what was said before, fewer goals find their words.
+/// How many slots are dealt a style for ten of another. Goals by function and by kind have many words to be said in,
+/// which more tasks show; of the others that have more, fewer goals find their words.
 int share_of(Style style) {
   switch (style) {
     case Style::Function:
-      return 30;
-    case Style::Hypernym:
-    case Style::Anaphora:
       return 20;
+    case Style::Hypernym:
+      return 16;
+    case Style::Description:
+    case Style::Ellipsis:
+    case Style::Anaphora:
+    case Style::Request:
+      return 14;
     case Style::Context:
-    case Style::Aside:
-      return 13;
+    case Style::Exception:
+      return 12;
     default:
       return 10;
   }

@@ -19,6 +19,7 @@ struct Kind {
   /// a thing in it, the usual one first; otherwise both relations mean the same.
   std::string relation;
   std::string piece;  // the kind of its slices; "" when they are of the same kind
+  bool personal = false;  // each belongs to somebody: nobody asks for just any of several
 };
 
 /// The taxonomy: a tree of kinds. Read only.

@@ -21,7 +21,7 @@ constexpr std::array<RefinementKind, 28> kRefinements = {{
     {"alias", Linguistic, true, "objects are called by synonyms"},
     {"function", Linguistic, false, "something to drink from"},
     {"hypernym", Linguistic, false, "a piece of cutlery"},
-    {"description", Linguistic, false, "the place where we keep the milk"},
+    {"description", Linguistic, false, "the place where we wash our hands"},
     {"context", Linguistic, false, "a first sentence decides which thing is meant: I want to make a salad."},
     {"request", Linguistic, false, "a state is asked for without saying so: it's too dark to read"},
     {"aside", Linguistic, true, "first sentences that are true in this home and do not matter"},

@@ -48,5 +48,36 @@ TEST(FitOfHome, NoDishesGoIntoASinkThatMayBeThatOfABathroom) {
       << "it says which";
 }
 
+TEST(LeavesOpen, WhichOfSeveralPlacesInSeveralRoomsAndWhosePhone) {
+  RunConfiguration configuration;
+  configuration.rooms = 7;
+  configuration.objects = 60;
+  LayoutPool layouts(configuration, committed(), 6);
+  const Layout* layout = with_two_sinks(layouts);
+  ASSERT_NE(layout, nullptr);
+  Layout home = *layout;
+  const Household& household = *committed().recipe(Simulator::Ai2thor).household;
+  const auto open = [&](const std::string& text) {
+    const auto goal = parse_formula("goal", text, FormulaUse::Goal);
+    EXPECT_TRUE(goal) << text;
+    return goal && leaves_open(*goal, home, household);
+  };
+  const std::string sink = "(exists (?a - Sink) (at-end (clean ?a)))";
+  EXPECT_TRUE(open(sink));
+  EXPECT_FALSE(open("(exists (?b - (Sink :where (exists (?r - kitchen) (in_room ?b ?r)))) (at-end (clean ?b)))"));
+  EXPECT_FALSE(open("(exists (?a - Fridge) (at-end (open ?a)))"));
+  auto& nodes = home.home.scene.nodes;
+  std::vector<std::size_t> carried;
+  for (std::size_t i = 0; i < nodes.size() && carried.size() < 2; ++i)
+    if (nodes[i].movable) carried.push_back(i);
+  ASSERT_EQ(carried.size(), 2U);
+  for (const char* category : {"CellPhone", "Mug"}) {
+    for (const std::size_t at : carried) nodes.edit(at).category = category;
+    home.home.places = NodeIndex(nodes);
+    const bool whose = std::string(category) == "CellPhone";
+    EXPECT_EQ(open("(exists (?a - " + std::string(category) + ") (at-end (held ?a)))"), whose) << category;
+  }
+}
+
 }  // namespace
 }  // namespace unietp

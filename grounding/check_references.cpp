@@ -1,0 +1,117 @@
+#include "grounding/check_references.h"
+
+#include <algorithm>
+
+#include "grounding/goal_places.h"
+#include "logic/evaluate.h"
+
+namespace unietp {
+namespace {
+
+using Op = Formula::Op;
+using Entities = std::vector<EntityIndex>;
+
+/// A reference by another thing: "(exists (?p - Desk) (on ?a ?p))", or the negation of it.
+struct ByOther {
+  Predicate relation;
+  const Domain* other;
+  const std::string* variable;  // of the other
+  bool denied = false;
+};
+
+std::optional<ByOther> by_other(const Formula& test, const std::string& variable) {
+  const bool denied = test.op == Op::Not;
+  const Formula& said = denied ? test.children.front() : test;
+  if (said.op != Op::Exists || said.children.front().op != Op::Atom) return std::nullopt;
+  const Formula& fact = said.children.front();
+  if (fact.predicate == Predicate::InRoom || fact != atom(fact.predicate, {variable, said.variable}))
+    return std::nullopt;
+  return ByOther{fact.predicate, &said.domain, &said.variable, denied};
+}
+
+class Surroundings {
+ public:
+  explicit Surroundings(const Facts& facts) : facts_(facts) {}
+
+  bool share_a_room(EntityIndex one, EntityIndex other) const {
+    return facts_.any_related(Predicate::InRoom, one,
+                              [&](EntityIndex room) { return facts_.holds(Predicate::InRoom, other, room); });
+  }
+  bool in_room_of_any(EntityIndex one, const Entities& others) const {
+    return std::any_of(others.begin(), others.end(), [&](EntityIndex other) { return share_a_room(one, other); });
+  }
+  /// Whether it is inside something closed, or on or in something that is.
+  bool is_shut_away(EntityIndex one) const {
+    return facts_.any_related(Predicate::Inside, one, [&](EntityIndex container) {
+      return facts_.holds(Predicate::Closed, container) || is_shut_away(container);
+    }) || facts_.any_related(Predicate::On, one, [&](EntityIndex below) { return is_shut_away(below); });
+  }
+  bool on_or_in(EntityIndex one, EntityIndex other) const {
+    return facts_.holds(Predicate::On, one, other) || facts_.holds(Predicate::Inside, one, other);
+  }
+
+ private:
+  const Facts& facts_;
+};
+
+/// What is odd about calling the things `meant` the ones nearest to a landmark, `others` being those that are not.
+std::optional<std::string> odd_nearness(const Entities& meant, Entities others, const Entities& landmarks,
+                                        const Surroundings& home) {
+  std::erase_if(others, [&](EntityIndex one) { return home.is_shut_away(one); });
+  for (const EntityIndex one : meant) {
+    if (home.is_shut_away(one)) return "it is shut away";
+    for (const EntityIndex landmark : landmarks) {
+      if (home.on_or_in(one, landmark)) return "it is on or in that";
+      if (!home.share_a_room(one, landmark)) return "that is in another room";
+    }
+    if (!home.in_room_of_any(one, others)) return "no other one is seen in the room";
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> odd_among_others(const Entities& meant, const Entities& others, const Surroundings& home) {
+  const bool together =
+      std::all_of(meant.begin(), meant.end(), [&](EntityIndex one) { return home.in_room_of_any(one, others); });
+  return together ? std::nullopt : std::optional<std::string>("the others are in other rooms");
+}
+
+/// What is odd about one test of a reference, or nullopt. `single`: one thing is meant.
+std::optional<std::string> odd_test(const Formula& test, const std::string& variable, bool single,
+                                    const Entities& meant, const Entities& others, const Trace& trace) {
+  const Surroundings home(trace.states.front());
+  if (test.op == Op::Atom && test.predicate == Predicate::Size) return odd_among_others(meant, others, home);
+  const auto related = by_other(test, variable);
+  if (!related || !single) return std::nullopt;
+  const Entities landmarks = members_of(*related->other, *related->variable, trace);
+  if (related->relation == Predicate::Nearest) return odd_nearness(meant, others, landmarks, home);
+  if (landmarks.size() > 1) return "there are several of those";
+  if (related->denied) return odd_among_others(meant, others, home);
+  if (related->relation == Predicate::NextTo &&
+      std::none_of(meant.begin(), meant.end(), [&](EntityIndex one) { return home.in_room_of_any(one, landmarks); }))
+    return "that is in another room";
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<GroundingFailure> check_references(const Specification& specification, const Trace& trace) {
+  for (const QuantifiedDomain& one : quantified_domains(specification.goal)) {
+    if (one.domain.where.empty()) continue;
+    const Formula& where = one.domain.where.front();
+    if (free_variables(where) != std::vector<std::string>{one.variable}) continue;
+    Domain all = one.domain;
+    all.where.clear();
+    const Entities meant = members_of(one.domain, one.variable, trace);
+    Entities others = members_of(all, one.variable, trace);
+    std::erase_if(others,
+                  [&](EntityIndex entity) { return std::find(meant.begin(), meant.end(), entity) != meant.end(); });
+    const auto tests = where.op == Op::And ? where.children : std::vector<Formula>{where};
+    for (const Formula& test : tests) {
+      if (const auto odd = odd_test(test, one.variable, one.op == Op::Exists, meant, others, trace))
+        return GroundingFailure{RejectionReason::OddReference, to_text(test) + ": " + *odd, {}};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace unietp
