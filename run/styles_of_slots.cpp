@@ -20,18 +20,15 @@ std::size_t position(Style style) { return static_cast<std::size_t>(style); }
 /// which more tasks show; of the others that have more, fewer goals find their words.
 int share_of(Style style) {
   switch (style) {
-    case Style::Function:
-      return 20;
     case Style::Hypernym:
-      return 16;
+    case Style::Exception:
+      return 20;
+    case Style::Function:
     case Style::Description:
-    case Style::Ellipsis:
+      return 16;
     case Style::Anaphora:
     case Style::Request:
       return 14;
-    case Style::Context:
-    case Style::Exception:
-      return 12;
     default:
       return 10;
   }
