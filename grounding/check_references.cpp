@@ -29,9 +29,9 @@ std::optional<ByOther> by_other(const Formula& test, const std::string& variable
   return ByOther{fact.predicate, &said.domain, &said.variable, denied};
 }
 
-class Surroundings {
+class FactsOfRooms {
  public:
-  explicit Surroundings(const Facts& facts) : facts_(facts) {}
+  explicit FactsOfRooms(const Facts& facts) : facts_(facts) {}
 
   bool share_a_room(EntityIndex one, EntityIndex other) const {
     return facts_.any_related(Predicate::InRoom, one,
@@ -56,7 +56,7 @@ class Surroundings {
 
 /// What is odd about calling the things `meant` the ones nearest to a landmark, `others` being those that are not.
 std::optional<std::string> odd_nearness(const Entities& meant, Entities others, const Entities& landmarks,
-                                        const Surroundings& home) {
+                                        const FactsOfRooms& home) {
   std::erase_if(others, [&](EntityIndex one) { return home.is_shut_away(one); });
   for (const EntityIndex one : meant) {
     if (home.is_shut_away(one)) return "it is shut away";
@@ -69,7 +69,7 @@ std::optional<std::string> odd_nearness(const Entities& meant, Entities others, 
   return std::nullopt;
 }
 
-std::optional<std::string> odd_among_others(const Entities& meant, const Entities& others, const Surroundings& home) {
+std::optional<std::string> odd_among_others(const Entities& meant, const Entities& others, const FactsOfRooms& home) {
   const bool together =
       std::all_of(meant.begin(), meant.end(), [&](EntityIndex one) { return home.in_room_of_any(one, others); });
   return together ? std::nullopt : std::optional<std::string>("the others are in other rooms");
@@ -78,7 +78,7 @@ std::optional<std::string> odd_among_others(const Entities& meant, const Entitie
 /// What is odd about one test of a reference, or nullopt. `single`: one thing is meant.
 std::optional<std::string> odd_test(const Formula& test, const std::string& variable, bool single,
                                     const Entities& meant, const Entities& others, const Trace& trace) {
-  const Surroundings home(trace.states.front());
+  const FactsOfRooms home(trace.states.front());
   if (test.op == Op::Atom && test.predicate == Predicate::Size) return odd_among_others(meant, others, home);
   const auto related = by_other(test, variable);
   if (!related || !single) return std::nullopt;

@@ -170,7 +170,7 @@ std::optional<GroundingFailure> check_calm(const Scene& start, const NodeIndex& 
 std::optional<GroundingFailure> check_start(const Specification& specification, const Home& home, const Scene& start,
                                             const GrownScene& grown, const std::set<std::string>& touched,
                                             const Knowledge& knowledge, const Profile& profile,
-                                            const StartDemands& demands) {
+                                            const StartGates& gates) {
   if (grown.edges.applied_to(home.scene.edges) != start.edges)
     return failure(RejectionReason::StartNotMet, "the relations of the start are not those that physics shows");
   Compared compared;
@@ -181,12 +181,12 @@ std::optional<GroundingFailure> check_start(const Specification& specification, 
   if (!compared.none()) facts = with_comparisons(facts, start, grown.reader, compared);
   if (auto problem = check_formulas(specification, trace)) return problem;
   if (auto problem = check_referring(specification, trace)) return problem;
-  if (demands.natural) {
+  if (gates.natural) {
     if (auto problem = check_references(specification, trace)) return problem;
   }
   Reach reach(home, start, grown, profile);
   if (auto problem = check_reach(specification, start, grown.places, trace, reach)) return problem;
-  if (auto problem = check_goal(specification, start, grown.places, trace, knowledge, profile, reach, demands.pictured))
+  if (auto problem = check_goal(specification, start, grown.places, trace, knowledge, profile, reach, gates.pictured))
     return problem;
   if (const auto room = reach.unreached())
     return GroundingFailure{RejectionReason::NotReachable, *room + " cannot be walked to any more", *room};

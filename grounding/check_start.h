@@ -14,7 +14,7 @@
 namespace unietp {
 
 /// What a start may have to meet besides.
-struct StartDemands {
+struct StartGates {
   bool pictured = false;  // what the goal needs shows clearly in a picture from somewhere (check_goal)
   bool natural = false;   // things are told apart as people would (check_references)
 };
@@ -30,6 +30,6 @@ struct StartDemands {
 std::optional<GroundingFailure> check_start(const Specification& specification, const Home& home, const Scene& start,
                                             const GrownScene& grown, const std::set<std::string>& touched,
                                             const Knowledge& knowledge, const Profile& profile,
-                                            const StartDemands& demands = {});
+                                            const StartGates& gates = {});
 
 }  // namespace unietp

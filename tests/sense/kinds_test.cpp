@@ -17,7 +17,7 @@ using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-constexpr auto* kHead = "name,singular,plural,parent,purpose,relation,piece\n";
+constexpr auto* kHead = "name,singular,plural,parent,purpose,relation,piece,personal\n";
 
 std::vector<std::string> problems_of(const std::string& rows) {
   const ScratchFolder folder;
@@ -74,15 +74,16 @@ TEST(Kinds, SayHowThingsAreAtAPlace) {
 }
 
 TEST(Kinds, RefusesATableThatIsNoTree) {
-  EXPECT_THAT(problems_of("thing,thing,things,,all,,\n"), IsEmpty());
-  EXPECT_THAT(problems_of("thing,thing,things,,all,,\ncup,cup,cups,crockery,drink,,\n"),
+  EXPECT_THAT(problems_of("thing,thing,things,,all,,,\n"), IsEmpty());
+  EXPECT_THAT(problems_of("thing,thing,things,,all,,,\ncup,cup,cups,crockery,drink,,,\n"),
               Contains(HasSubstr("'crockery' is not a kind of this table")));
-  EXPECT_THAT(problems_of("thing,thing,things,,all,,\na,a,a,b,x,,\nb,b,b,a,x,,\n"),
+  EXPECT_THAT(problems_of("thing,thing,things,,all,,,\na,a,a,b,x,,,\nb,b,b,a,x,,,\n"),
               Contains(HasSubstr("'a' is above itself")));
-  EXPECT_THAT(problems_of("thing,thing,things,,all,,\nthing,t,t,,all,,\n"), Contains(HasSubstr("stands twice")));
-  EXPECT_THAT(problems_of(",a,a,,all,,\n"), Contains(HasSubstr("name")));
-  EXPECT_THAT(problems_of("a,a,a,,all,,\nb,b,b,,all,,\n"), Contains(HasSubstr("expected one root")));
-  EXPECT_THAT(problems_of("a,a,a,,all,beside,\n"), Contains(HasSubstr("'beside' is no relation")));
+  EXPECT_THAT(problems_of("thing,thing,things,,all,,,\nthing,t,t,,all,,,\n"), Contains(HasSubstr("stands twice")));
+  EXPECT_THAT(problems_of(",a,a,,all,,,\n"), Contains(HasSubstr("name")));
+  EXPECT_THAT(problems_of("a,a,a,,all,,,\nb,b,b,,all,,,\n"), Contains(HasSubstr("expected one root")));
+  EXPECT_THAT(problems_of("a,a,a,,all,beside,,\n"), Contains(HasSubstr("'beside' is no relation")));
+  EXPECT_THAT(problems_of("a,a,a,,all,,,maybe\n"), Contains(HasSubstr("expected nothing or yes")));
 }
 
 }  // namespace
