@@ -63,10 +63,11 @@ set(UNIETP_UPSTREAM "${PROJECT_SOURCE_DIR}/../shared/upstream" CACHE PATH
 
 # One test program a folder: add_room_tests(logic SOURCES a_test.cpp b_test.cpp LIBS extra SLOW Monitor.*). SLOW names the
 # TESTs with the label `slow`, "*" all of them: each is a test of ctest. The others are `fast`, together take less than two
-# minutes, and are one test of ctest a suite, since most of their time would go into starting processes.
+# minutes, and are one test of ctest a suite, since most of their time would go into starting processes. TOGETHER has
+# filters of slow TESTs that share a fixture which takes seconds to make, such as a data set: each filter is one test of ctest.
 # Tests find committed data through UNIETP_SOURCE_DIR and the optional real metadata through UNIETP_UPSTREAM_DIR.
 function(add_room_tests name)
-  cmake_parse_arguments(T "" "" "SOURCES;LIBS;SLOW" ${ARGN})
+  cmake_parse_arguments(T "" "" "SOURCES;LIBS;SLOW;TOGETHER" ${ARGN})
   set(rooms ${T_LIBS})
   list(FILTER rooms INCLUDE REGEX "^unietp::")
   list(TRANSFORM rooms REPLACE "^unietp::" "")
@@ -89,7 +90,14 @@ function(add_room_tests name)
     set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${CMAKE_CURRENT_BINARY_DIR}/${name}_fast.cmake)
   endif()
   if(slow)
-    gtest_discover_tests(${name}_tests TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60 TEST_FILTER "${slow}"
-                         TEST_LIST ${name}_slow PROPERTIES LABELS slow TIMEOUT 600)
+    foreach(filter IN LISTS T_TOGETHER)
+      string(REGEX MATCH "[A-Za-z]+" label ".${filter}.All")
+      add_test(NAME ${name}.${label} COMMAND ${name}_tests --gtest_filter=${filter})
+      set_tests_properties(${name}.${label} PROPERTIES LABELS slow TIMEOUT 1200)
+    endforeach()
+    list(JOIN T_TOGETHER ":" together)
+    # Exit codes decide. ctest would take a suite that fails before its TESTs are skipped for one that is skipped.
+    gtest_discover_tests(${name}_tests TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60 TEST_FILTER "${slow}-${together}"
+                         TEST_LIST ${name}_slow PROPERTIES LABELS slow TIMEOUT 600 SKIP_REGULAR_EXPRESSION "[.]^")
   endif()
 endfunction()

@@ -270,15 +270,16 @@ std::vector<Error> unknown_categories(const Template& source, const std::vector<
   std::vector<Error> errors = unknown_kinds(source, backends);
   for (const auto& name : named) {
     if (is_placeholder(source, name)) continue;
-    bool known = false;
+    const auto knows = [&](Simulator simulator) {
+      return backends[static_cast<std::size_t>(simulator)].knowledge.find(name) != nullptr;
+    };
+    if (std::any_of(source.simulators.begin(), source.simulators.end(), knows)) continue;
     std::vector<std::string> accepted;
     for (const auto& parameter : source.parameters) accepted.push_back(parameter.name);
     for (const auto simulator : source.simulators) {
       const auto& knowledge = backends[static_cast<std::size_t>(simulator)].knowledge;
-      known = known || knowledge.find(name) != nullptr;
       for (const auto& category : knowledge.categories()) accepted.push_back(category.name);
     }
-    if (known) continue;
     const auto near = nearest_name(name, accepted);
     errors.push_back(
         {Error::Kind::Schema, source.file, place_of(source.file, name),

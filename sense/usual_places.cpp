@@ -28,11 +28,16 @@ Sense graded(const Thing& thing, Predicate relation, const Thing& place, const C
   return relation == Predicate::NextTo ? worse_of(std::move(own), sense.together(thing, place)) : own;
 }
 
-/// What a grade depends on: kind, name where a rule speaks of it, materials, role.
-using Question = std::tuple<std::string, std::string, std::vector<std::string>, Role>;
+/// What the grades of a thing depend on, whatever the place: kind, name where a rule speaks of it, materials.
+using Traits = std::tuple<std::string, std::string, std::vector<std::string>>;
 struct Answer {
   Grade grade = Grade::Tolerable;
   double score = 0;
+};
+/// A category, with the answers of all that have its traits.
+struct Asked {
+  Thing thing;
+  std::map<Role, Answer>* answers = nullptr;
 };
 
 bool before(const UsualPlace& a, const UsualPlace& b) {
@@ -70,16 +75,21 @@ bool is_absurd(const CommonSense& sense, Simulator simulator, const Category& ob
 }
 
 UsualPlaces::UsualPlaces(const Knowledge& knowledge, const CommonSense& sense) {
-  std::map<std::string, Thing, std::less<>> things;
-  for (const auto& c : knowledge.categories()) things.emplace(c.name, thing_of(c.name, knowledge, sense));
-  std::map<Question, Answer> answers;
+  std::map<Traits, std::map<Role, Answer>> answers;
+  std::map<std::string, Asked, std::less<>> things;
+  for (const auto& category : knowledge.categories()) {
+    Asked asked{thing_of(category, knowledge.simulator(), sense)};
+    const auto name = sense.has_rule_on_name(asked.thing.words) ? asked.thing.words : std::string();
+    asked.answers = &answers[{asked.thing.kind, name, asked.thing.materials}];
+    things.emplace(category.name, std::move(asked));
+  }
   for (const auto& placement : knowledge.placements()) {
     if (placement.relation != Predicate::On && placement.relation != Predicate::Inside) continue;
-    const auto &thing = things.find(placement.object)->second, &place = things.find(placement.receptacle)->second;
+    const auto& [thing, known] = things.find(placement.object)->second;
+    const auto& place = things.find(placement.receptacle)->second.thing;
     if (thing.kind.empty() || place.kind.empty()) continue;
     const auto role = role_of(placement.relation, place.kind, sense.kinds());
-    const auto name = sense.has_rule_on_name(thing.words) ? thing.words : std::string();
-    const auto [answer, first] = answers.try_emplace({thing.kind, name, thing.materials, role});
+    const auto [answer, first] = known->try_emplace(role);
     if (first) {
       const auto graded = sense.grade(thing, role);
       answer->second = {graded.grade, graded.score};

@@ -31,7 +31,7 @@ class ExportAi2thor : public ::testing::Test {
     folder_ = new ScratchFolder;
     const auto houses = fs::path(UNIETP_SOURCE_DIR) / "tests" / "end_to_end" / "homes" / "houses.procthor.jsonl";
     must({"scene", "import", "auto", houses.string(), "--out", folder_->at("homes")});
-    must({"generate", "--count", "16", "--seed", "5", "--simulators", "ai2thor", "--scenes", folder_->at("homes"),
+    must({"generate", "--count", "16", "--seed", "9", "--simulators", "ai2thor", "--scenes", folder_->at("homes"),
           "--modes", "M1", "--out", folder_->at("tasks")});
     must({"export", folder_->at("tasks"), "--format", "ai2thor", "--out", folder_->at("out")});
     must({"export", small_data_set().string(), "--format", "ai2thor", "--out", folder_->at("small")});

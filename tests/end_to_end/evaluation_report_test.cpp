@@ -17,13 +17,23 @@ using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
+/// A run with more episodes than a page has, made once for all tests of this process.
+const fs::path& evaluated() {
+  static const ScratchFolder kScratch;
+  static const fs::path kRun = [] {
+    const Ended made = run_program({"evaluate", data_set_in_all_modes().string(), "--policy", "noisy:0.3", "--modes",
+                                    "M1,M3", "--repeats", "5", "--out", kScratch.at("run")});
+    EXPECT_EQ(made.code, 0) << made.err;
+    return fs::path(kScratch.at("run"));
+  }();
+  return kRun;
+}
+
 class EvaluationReport : public ::testing::Test {
  protected:
   void SetUp() override {
     if (!Browser::installed()) GTEST_SKIP() << needs::kChromium;
-    const Ended made = run_program({"evaluate", data_set_in_all_modes().string(), "--policy", "noisy:0.3", "--modes",
-                                    "M1,M3", "--repeats", "5", "--out", folder_.at("run")});
-    ASSERT_EQ(made.code, 0) << made.err;
+    fs::copy(evaluated(), run(), fs::copy_options::recursive);
   }
   fs::path run() const { return folder_.path() / "run"; }
   static int episodes() { return 2 * 5 * kCountInAllModes; }

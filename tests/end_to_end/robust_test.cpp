@@ -12,6 +12,7 @@
 #include "data_set.h"
 #include "file_watch.h"
 #include "tests/support/sqlite_client.h"
+#include "tests/support/thorough.h"
 
 namespace unietp {
 namespace {
@@ -36,7 +37,7 @@ const std::map<std::string, std::string>& tiny_bytes() {
   return kBytes;
 }
 
-TEST(Robust, KilledFiftyTimesAndResumedGivesTheSameBytes) {
+TEST(Robust, KilledAtRandomAndResumedGivesTheSameBytes) {
   ScratchFolder folder;
   auto options = tiny_options(folder.at("out"));
   options.emplace_back("--resume");
@@ -52,7 +53,7 @@ TEST(Robust, KilledFiftyTimesAndResumedGivesTheSameBytes) {
   ASSERT_GT(whole, 30);
   Rng rng(50);
   int finished = 0;
-  for (int kills = 0; kills < 50;) {
+  for (int kills = 0; kills < test::tries(12, 50);) {
     FileWatch watch(folder.path());
     RunningProgram program(options);
     if (killed_after(program, watch, 1 + static_cast<int>(rng.below(static_cast<std::uint64_t>(whole))))) {
