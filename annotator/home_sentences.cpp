@@ -13,14 +13,14 @@ using P = Predicate;
 
 constexpr double kLikely = 0.05;  // of a place that knowledge base rows name for a thing
 
-/// The categories on or in which a goal puts something.
-std::vector<std::string> places_of(const Formula& part, const Formula& goal) {
+/// The categories that a goal puts somewhere.
+std::vector<std::string> moved_by(const Formula& part, const Formula& goal) {
   std::vector<std::string> found;
   const bool put = part.op == Formula::Op::Atom && (part.predicate == P::On || part.predicate == P::Inside);
-  if (const Formula* binder = put ? binder_of(goal, part.terms[1].name) : nullptr)
+  if (const Formula* binder = put ? binder_of(goal, part.terms[0].name) : nullptr)
     for (const Domain::Member& member : binder->domain.members) found.push_back(member.category);
   for (const Formula& child : part.children)
-    for (std::string& place : places_of(child, goal)) found.push_back(std::move(place));
+    for (std::string& thing : moved_by(child, goal)) found.push_back(std::move(thing));
   return found;
 }
 
@@ -31,7 +31,7 @@ class SentenceWriter {
       : start_(start),
         facts_(start.states.front()),
         own_(own),
-        places_(places_of(goal, goal)),
+        places_(places_of_all(moved_by(goal, goal))),
         knowledge_(knowledge),
         nouns_(nouns) {}
 
@@ -48,6 +48,16 @@ class SentenceWriter {
   }
 
  private:
+  /// Where the things of these categories are.
+  std::vector<EntityIndex> places_of_all(const std::vector<std::string>& categories) const {
+    std::vector<EntityIndex> found;
+    for (const std::string& category : categories)
+      for (const EntityIndex thing : start_.entities.of(of_category(category)))
+        for (const auto& [relation, place] : facts_.relations(thing))
+          if (relation == P::On || relation == P::Inside) found.push_back(place);
+    return found;
+  }
+
   std::size_t alike(EntityIndex entity) const {
     return start_.entities.of(of_category(start_.entities[entity].category)).size();
   }
@@ -62,10 +72,10 @@ class SentenceWriter {
     return read.nouns.size() == 1 && read.length == tokens_of(name->singular).size() ? name->singular : "";
   }
 
-  /// "The book can stay where it is.", of the only one, in a place that the task is about.
+  /// "The book can stay where it is.", of the only one, beside something that is to be moved.
   void tell_place(EntityIndex thing, P relation, EntityIndex place) {
     const Entity &here = start_.entities[thing], &there = start_.entities[place];
-    if (std::find(places_.begin(), places_.end(), there.category) == places_.end()) return;
+    if (std::find(places_.begin(), places_.end(), place) == places_.end()) return;
     const auto *category = knowledge_.find(here.category), *holder = knowledge_.find(there.category);
     if (category == nullptr || holder == nullptr || holder->movable || nouns_.display(there.category) == nullptr)
       return;
@@ -81,7 +91,7 @@ class SentenceWriter {
   const Trace& start_;
   const Facts& facts_;
   const std::vector<std::string>& own_;
-  std::vector<std::string> places_;
+  std::vector<EntityIndex> places_;  // where the things are that are to be moved
   const Knowledge& knowledge_;
   const NounTable& nouns_;
   std::vector<std::string> told_;

@@ -68,6 +68,19 @@ std::vector<Token> tokens_of(std::string_view text) {
   for (std::size_t i = 0; i + 1 < tokens.size(); ++i)  // "half an apple" is a half apple
     if (tokens[i].text == "half" && (tokens[i + 1].text == "a" || tokens[i + 1].text == "an"))
       std::swap(tokens[i], tokens[i + 1]);
+  const auto comes = [&](std::size_t at, std::initializer_list<std::string_view> words) {
+    return at + words.size() <= tokens.size() &&
+           std::equal(words.begin(), words.end(), tokens.begin() + static_cast<std::ptrdiff_t>(at),
+                      [](std::string_view word, const Token& token) { return token.text == word; });
+  };
+  for (std::size_t i = 0; i < tokens.size(); ++i) {  // "the dining room table" is the dining table in the dining room
+    if (!comes(i, {"dining", "room", "table"})) continue;
+    tokens[i + 1].text = "table";
+    tokens[i + 2].text = "in";
+    const int column = tokens[i + 2].column;
+    tokens.insert(tokens.begin() + static_cast<std::ptrdiff_t>(i) + 3,
+                  {Token{"the", column}, Token{"dining", column}, Token{"room", column}});
+  }
   return tokens;
 }
 
@@ -113,6 +126,10 @@ std::string with_plain_places(std::string text) {
     for (const std::string_view at : {" in ", " into ", " on ", " onto ", " to "})
       text = replace_all(text, std::string(at) + std::string(place), " where ");
   return text;
+}
+
+std::string with_room_tables(std::string text) {
+  return replace_all(std::move(text), "dining table in the dining room", "dining room table");
 }
 
 std::string with_tops(std::string text, const NounTable& nouns) {

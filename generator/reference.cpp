@@ -55,6 +55,8 @@ std::vector<Reference> by_state(const GoalVariable& variable, const Specificatio
       if (state.predicate == Predicate::PowerOn && category != nullptr && !category->kinds.empty() &&
           !is_seen_running(*category))
         continue;
+      // "The tomato in the fridge", not "the cold tomato".
+      if (state.predicate == Predicate::Hot || state.predicate == Predicate::Cool) continue;
       const bool cooking = state.predicate == Predicate::Cooked || state.predicate == Predicate::Raw ||
                            state.predicate == Predicate::Burnt;
       if (cooking && category != nullptr && !category->kinds.empty() && !is_cooked_first(*category)) continue;
@@ -97,7 +99,8 @@ void add_values(const GoalVariable& variable, Predicate predicate, const std::ve
 std::vector<Reference> by_attribute(const GoalVariable& variable, const Knowledge& knowledge) {
   std::vector<Reference> found;
   const auto* category = knowledge.find(variable.category);
-  if (category == nullptr) return found;
+  const auto is_sink = [](const std::string& kind) { return kind == "sink"; };  // told by its room
+  if (category == nullptr || std::any_of(category->kinds.begin(), category->kinds.end(), is_sink)) return found;
   add_values(variable, Predicate::Colour, category->colours, found);
   add_values(variable, Predicate::Material, category->materials, found);
   return found;

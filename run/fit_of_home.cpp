@@ -13,6 +13,25 @@
 namespace unietp {
 namespace {
 
+/// "The coffee machine" in a kitchen, "the dining table" not in an office.
+bool is_usual_room_of(const std::string& place, const std::string& room, const Knowledge& knowledge) {
+  const auto& usual = knowledge.find(place)->rooms;
+  return std::find(usual.begin(), usual.end(), room) != usual.end();
+}
+
+/// Whether the home has furniture of another category that the category's name could mean: of the same name, or of one
+/// that ends in it.
+bool has_namesake(const std::string& category, const Home& home, const NounTable& nouns) {
+  const auto* own = nouns.display(category);
+  if (own == nullptr) return false;
+  const auto& nodes = home.scene.nodes;
+  return std::any_of(nodes.begin(), nodes.end(), [&](const Node& node) {
+    if (node.movable || node.category == category) return false;
+    const auto* name = nouns.display(node.category);
+    return name != nullptr && (name->singular == own->singular || name->singular.ends_with(" " + own->singular));
+  });
+}
+
 /// Whether each place that the goal names for a thing stands somewhere in a room where people have such places and keep
 /// such things: no kitchen knife goes into a drawer where all drawers are in bedrooms, and what stands in an office is
 /// not called a dining table. What the home lacks is not looked at.
@@ -23,8 +42,7 @@ bool rooms_suit(const Formula& goal, const Layout& layout, const Household& hous
     if (room < 0) return true;
     const std::string& type = home.scene.rooms[static_cast<std::size_t>(room)].type;
     const std::string& place = home.scene.nodes[node].category;
-    const auto& usual = knowledge.find(place)->rooms;
-    return std::find(usual.begin(), usual.end(), type) != usual.end() && household.keeps(category, place, type) &&
+    return is_usual_room_of(place, type, knowledge) && household.keeps(category, place, type) &&
            (!household.passes(place) || household.is_usual_in(category, type));
   };
   for (const auto& [category, places] : goal_places(goal)) {
@@ -63,12 +81,14 @@ bool all_sinks_suit(const Formula& goal, const Layout& layout, const Household& 
   });
 }
 
-bool leaves_open(const Formula& goal, const Layout& layout, const Household& household) {
+bool leaves_open(const Formula& goal, const Layout& layout, const Household& household, const NounTable& nouns) {
   const Home& home = layout.home;
   const auto is_open = [&](const QuantifiedDomain& one) {
     const Domain& asked = one.domain;
-    if (one.op != Formula::Op::Exists || asked.members.empty() || !asked.where.empty()) return false;
+    if (asked.members.empty() || !asked.where.empty()) return false;
     const std::string& category = asked.members.front().category;
+    if (one.op == Formula::Op::Count) return household.is_personal(category) && asked.members.size() == 1;
+    if (one.op != Formula::Op::Exists) return false;
     const auto& rooms = home.scene.rooms;
     if (std::count_if(rooms.begin(), rooms.end(), [&](const Room& room) { return room.type == category; }) > 1)
       return true;
@@ -77,8 +97,11 @@ bool leaves_open(const Formula& goal, const Layout& layout, const Household& hou
       const auto& of_member = home.places.of(member.category);
       there.insert(there.end(), of_member.begin(), of_member.end());
     }
+    if (there.empty()) return false;
+    const bool fixed = !home.scene.nodes[there.front()].movable;
+    if (fixed && asked.members.size() == 1 && has_namesake(category, home, nouns)) return true;
     if (there.size() < 2) return false;
-    if (home.scene.nodes[there.front()].movable) return asked.members.size() == 1 && household.is_personal(category);
+    if (!fixed) return asked.members.size() == 1 && household.is_personal(category);
     return std::any_of(there.begin(), there.end(),
                        [&](std::size_t node) { return home.rooms[node] != home.rooms[there.front()]; });
   };
@@ -86,12 +109,12 @@ bool leaves_open(const Formula& goal, const Layout& layout, const Household& hou
   return std::any_of(domains.begin(), domains.end(), is_open);
 }
 
-RoomSuits rooms_for(const Formula& goal, const Household& household) {
-  return [things = goal_places(goal), &household](const std::string& place, const std::string& room) {
-    return std::all_of(things.begin(), things.end(), [&](const auto& of) {
-      return !of.second.contains(place) ||
-             (household.keeps(of.first, place, room) && household.is_usual_in(of.first, room));
-    });
+RoomSuits rooms_for(const Formula& goal, const Household& household, const Knowledge& knowledge) {
+  return [things = goal_places(goal), &household, &knowledge](const std::string& place, const std::string& room) {
+    return is_usual_room_of(place, room, knowledge) && std::all_of(things.begin(), things.end(), [&](const auto& of) {
+             return !of.second.contains(place) ||
+                    (household.keeps(of.first, place, room) && household.is_usual_in(of.first, room));
+           });
   };
 }
 

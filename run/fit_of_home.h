@@ -1,5 +1,6 @@
 #pragma once
 
+#include "annotator/noun_table.h"
 #include "dataset/configuration.h"
 #include "generator/place_in_room.h"
 #include "generator/weighted_binding.h"
@@ -24,11 +25,12 @@ bool all_sinks_suit(const Formula& goal, const Layout& layout, const Household& 
 
 /// Whether the goal leaves open what nobody is indifferent about: which of several rooms of a type or of several
 /// pieces of furniture in several rooms is meant, or which of several things that each belong to somebody
-/// (Household::is_personal).
-bool leaves_open(const Formula& goal, const Layout& layout, const Household& household);
+/// (Household::is_personal); or names furniture by a word that other furniture of the home could be meant by, too: "the
+/// table" beside a coffee table. `nouns`: what things are called.
+bool leaves_open(const Formula& goal, const Layout& layout, const Household& household, const NounTable& nouns);
 
-/// Whether people keep all things that the goal puts into a place of a category in such places of a type of room. The
-/// household must outlive it.
-RoomSuits rooms_for(const Formula& goal, const Household& household);
+/// Whether people have places of a category in a type of room and keep all things there that the goal puts into them.
+/// The household and the knowledge must outlive it.
+RoomSuits rooms_for(const Formula& goal, const Household& household, const Knowledge& knowledge);
 
 }  // namespace unietp

@@ -35,6 +35,7 @@ struct Asked {
   std::string_view style;  // of the Linguistic split; "": any that fits
   Grade least = Grade::Usual;
   const Household* household = nullptr;  // of the simulator's homes
+  const NounTable* nouns = nullptr;      // as the texts say them
 };
 
 /// "A=Mug, B=Bed: mug on bed (rule:…)"
@@ -83,14 +84,14 @@ std::variant<Specification, Rejection> specify_once(const Template& source, cons
     if (!specified) return Rejection{RejectionReason::NoWording, to_text(*binding)};
   }
   if (asked.household != nullptr)
-    specified = with_places_in_rooms(*specified, knowledge, layout.offer, rooms_for(specified->goal, *asked.household),
-                                     rng.fork("rooms", 0));
+    specified = with_places_in_rooms(*specified, knowledge, layout.offer,
+                                     rooms_for(specified->goal, *asked.household, knowledge), rng.fork("rooms", 0));
   if (auto why = lacking(*specified, layout, knowledge)) return *why;
   if (asked.least > Grade::Senseless) {
     if (asked.household != nullptr && !all_sinks_suit(specified->goal, layout, *asked.household))
       return Rejection{RejectionReason::Senseless, to_text(*binding) + ": a place in another room would do, too"};
     if (asked.household != nullptr && asked.least == Grade::Usual &&
-        leaves_open(specified->goal, layout, *asked.household))
+        leaves_open(specified->goal, layout, *asked.household, *asked.nouns))
       return Rejection{RejectionReason::Senseless, to_text(*binding) + ": any of several would do"};
     const TaskSense sense = sense_of(*specified);
     if (sense.grade < asked.least) return Rejection{RejectionReason::Senseless, said_of(*binding, sense)};
@@ -154,7 +155,7 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
   const BindingWishes wishes{configuration.binding, weight,
                              fits_home(configuration, resources, source, *layout, plan.least)};
   const Asked asked{slot.split, plan.style ? name_of(*plan.style) : std::string_view(source.refinement), plan.least,
-                    resources.recipe(slot.simulator).household.get()};
+                    resources.recipe(slot.simulator).household.get(), &backend.nouns_in(configuration.english)};
   auto specified =
       specify(source, *layout, backend.knowledge, plan.binding, wishes, asked, sense_of, root.fork("generator", item));
   if (auto* why = std::get_if<Rejection>(&specified)) return rejected(std::move(*why));

@@ -57,10 +57,11 @@ TEST(LeavesOpen, WhichOfSeveralPlacesInSeveralRoomsAndWhosePhone) {
   ASSERT_NE(layout, nullptr);
   Layout home = *layout;
   const Household& household = *committed().recipe(Simulator::Ai2thor).household;
+  const NounTable& nouns = committed().backend(Simulator::Ai2thor).nouns;
   const auto open = [&](const std::string& text) {
     const auto goal = parse_formula("goal", text, FormulaUse::Goal);
     EXPECT_TRUE(goal) << text;
-    return goal && leaves_open(*goal, home, household);
+    return goal && leaves_open(*goal, home, household, nouns);
   };
   const std::string sink = "(exists (?a - Sink) (at-end (clean ?a)))";
   EXPECT_TRUE(open(sink));
