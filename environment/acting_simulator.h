@@ -1,22 +1,13 @@
 #pragma once
 
 #include <memory>
-#include <string>
 
 #include "core/result.h"
+#include "environment/simulator_answer.h"
 #include "environment/task.h"
 #include "scene/action.h"
-#include "scene/trace.h"
 
 namespace unietp {
-
-/// What a simulator says of an action.
-struct SimulatorAnswer {
-  bool success = false;
-  std::string message;  // why not; "" with success
-  Delta changes;        // of its own state, in our scene graph
-  bool operator==(const SimulatorAnswer&) const = default;
-};
 
 /// A simulator of somebody else in which an episode is acted out, beside our physics, which decide what the agent sees.
 /// An action has to succeed in both; the goal is judged on the simulator's state. One episode at a time.

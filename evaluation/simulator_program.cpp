@@ -12,6 +12,7 @@
 #include "evaluation/evaluation_asset.h"
 #include "record/record_fields.h"
 #include "scene/json_parse.h"
+#include "scene/node_json.h"
 #include "scene/telling_order.h"
 
 namespace unietp {
@@ -104,7 +105,7 @@ void read_states(JsonReader& reader, const JsonAt& at, const Scene& now, Delta& 
     Node changed = *node;
     for (const std::string& name : reader.texts(item)) {
       const auto state = predicate_named(name);
-      if (!state || info(*state).arguments.size() != 1) return reader.fail(item, "expected names of states");
+      if (!state || !is_node_state(*state) || has_symbol(*state)) return reader.fail(item, "expected names of states");
       changed.states.set({*state, ""});
     }
     if (changed != *node) changes.nodes.push_back(std::move(changed));
@@ -117,7 +118,7 @@ void read_edges(JsonReader& reader, const JsonAt& at, std::vector<Edge>& edges) 
     const JsonAt item = reader.item(at, i);
     const auto words = reader.texts(item);
     const auto relation = words.size() == 3 ? predicate_named(words.front()) : std::nullopt;
-    if (!relation) return reader.fail(item, "expected a relation and two ids");
+    if (!relation || !is_edge_relation(*relation)) return reader.fail(item, "expected a relation and two ids");
     edges.push_back({*relation, words[1], words[2]});
   }
   std::sort(edges.begin(), edges.end());

@@ -28,7 +28,7 @@ std::string simulators_id(const SourceObject& object, Simulator simulator, const
     case Simulator::Virtualhome:
       return is_number(object.id) ? category + "." + object.id : "";
     case Simulator::Habitat:
-      return object.asset.empty() ? "" : handle_of(object.id);
+      return object.id.starts_with("box_") ? "" : handle_of(object.id);  // which a table of boxes has
     case Simulator::Ai2thor:
     case Simulator::Behavior:
       break;

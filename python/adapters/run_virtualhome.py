@@ -12,10 +12,12 @@ words: `states` (all states now of each object whose states changed), `edges_add
 `held` where that changed. `Episode` is the same for programs in Python.
 """
 
+import importlib
 import importlib.util
 import json
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 Json = dict[str, Any]
@@ -42,12 +44,13 @@ def load_simulator() -> Any:
     folder = str(Path(spec.submodule_search_locations[0]) / "simulation")
     if folder not in sys.path:
         sys.path.append(folder)
-    from evolving_graph import environment, execution, scripts
-
-    return type("Simulator", (), {
-        "Graph": environment.EnvironmentGraph, "State": environment.EnvironmentState,
-        "Executor": execution.ScriptExecutor, "script": staticmethod(scripts.read_script_from_list_string),
-    })
+    environment, execution, scripts = (
+        importlib.import_module(f"evolving_graph.{name}") for name in ("environment", "execution", "scripts")
+    )
+    return SimpleNamespace(
+        Graph=environment.EnvironmentGraph, State=environment.EnvironmentState, Executor=execution.ScriptExecutor,
+        script=scripts.read_script_from_list_string,
+    )
 
 
 class Facts:
