@@ -153,9 +153,10 @@ void add_selection_options(CommandParser& command, EvaluateChoice& choice) {
       ->suggests(split_names());
   add_simulators_option(command, choice.simulators, "Only tasks of these simulators");
   command
-      .add_option("--backend", choice.backend,
-                  "Where actions are done and goals judged: unietp, or virtualhome, its graph simulator, with the Python "
-                  "package of that name (docs/native.md)")
+      .add_option(
+          "--backend", choice.backend,
+          "Where actions are done and goals judged: unietp, or virtualhome, its graph simulator, with the Python "
+          "package of that name (docs/native.md)")
       ->type_name("NAME")
       ->suggests({"unietp", "virtualhome"})
       ->shows_default();

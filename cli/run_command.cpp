@@ -101,7 +101,8 @@ Result<Shard> shard_of(const std::string& text) {
 Result<RunConfiguration> settings_in(const std::filesystem::path& file, CommandLine& program) {
   auto configuration = read_configuration(file);
   if (!configuration) return configuration.error();
-  if (!configuration->scenes.empty() || configuration->native || !configuration->own.empty() || !configuration->binding.empty())
+  if (!configuration->scenes.empty() || configuration->native || !configuration->own.empty() ||
+      !configuration->binding.empty())
     return Error{Error::Kind::Usage,
                  file.string(),
                  {},

@@ -19,6 +19,6 @@ class ActingSimulator {
   /// Executes an action that our physics allow. `now`: its state, in our scene graph. Errors: as begin.
   virtual Result<SimulatorAnswer> act(const Action& action, const Scene& now) = 0;
 };
-using SharedSimulator = std::shared_ptr<ActingSimulator>;
+using SharedSimulator = std::shared_ptr<ActingSimulator>;  // by the states of one environment
 
 }  // namespace unietp

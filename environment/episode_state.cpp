@@ -104,7 +104,8 @@ StepInProgress::StepInProgress(EpisodeState& state) : state_(state), was_over_(s
 }
 
 bool StepInProgress::goes_on() const {
-  return state_.broken.empty() && state_.end() == EpisodeEnd::None && !(failed_ && state_.settings.on_fail == OnFail::Stop);
+  return state_.broken.empty() && state_.end() == EpisodeEnd::None &&
+         !(failed_ && state_.settings.on_fail == OnFail::Stop);
 }
 
 /// With the object that the picture shows at a point named as the rules want it.

@@ -50,7 +50,7 @@ struct EpisodeState {
   std::optional<std::vector<Action>> done;  // that succeeded; nullopt: more than are kept
   int answered = 0;                         // actions taken, invalid ones included
   Observation observation;
-  mutable Rays rays;  // scratch space
+  mutable Rays rays;               // scratch space
   SharedSimulator simulator = {};  // in which the episode is acted out, too; null: our physics alone
   Scene theirs = {};               // its state, in our scene graph
   std::string broken = {};         // why it no longer answers

@@ -21,9 +21,9 @@ inline constexpr const char* kTimingFile = "timing.jsonl";      // how long it t
 struct EpisodeAction {
   Command command;  // as the mode took it, boxes in pixels; an empty name: the reply could not be read
   bool success = false;
-  std::string failure;   // name of the kind: "none", "not_visible", …
-  std::string feedback;  // the sentence of the mode; "" on success
-  bool counted = true;   // as a step; an invalid action is not where those are free
+  std::string failure;                            // name of the kind: "none", "not_visible", …
+  std::string feedback;                           // the sentence of the mode; "" on success
+  bool counted = true;                            // as a step; an invalid action is not where those are free
   std::optional<SimulatorAnswer> simulator = {};  // of an evaluation in a simulator: what it said, where it was asked
   bool operator==(const EpisodeAction&) const = default;
 };

@@ -18,8 +18,8 @@ using Clock = std::chrono::steady_clock;
 double since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
 EpisodeAction action_of(const ExecutedAction& executed) {
-  return {executed.command, executed.outcome.success, std::string(name_of(executed.outcome.failure)),
-          executed.outcome.feedback, executed.counted, executed.simulator};
+  return {executed.command,          executed.outcome.success, std::string(name_of(executed.outcome.failure)),
+          executed.outcome.feedback, executed.counted,         executed.simulator};
 }
 
 /// One line that may be shown, never empty.

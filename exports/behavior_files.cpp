@@ -83,11 +83,10 @@ Result<ExpressTask> express_behavior(const ExportRequest& request) {
     if (!sampled) return ExpressedTask{{}, sampled.error().message};
     const std::string& id = task.record.id;
     std::string text = task_json(task, *problem, *scene).dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
-    return ExpressedTask{
-        {{"activity_definitions/" + id + "/problem0.bddl", problem->text},
-         {"scenes/" + id + "/json/" + id + "_task_" + id + "_0_0_template.json", std::move(*sampled)},
-         {id + ".json", std::move(text)}},
-        ""};
+    return ExpressedTask{{{"activity_definitions/" + id + "/problem0.bddl", problem->text},
+                          {"scenes/" + id + "/json/" + id + "_task_" + id + "_0_0_template.json", std::move(*sampled)},
+                          {id + ".json", std::move(text)}},
+                         ""};
   });
 }
 

@@ -28,8 +28,8 @@ Result<ExpressTask> express_behavior(const ExportRequest& request);
 /// Writes each task of a data set that is expressed, and left_out.jsonl. Errors: as write_task_folder.
 Result<std::string> write_expressed(const ExportRequest& request, const Result<ExpressTask>& express);
 
-/// Why a task cannot be done in its simulator itself; "" when it can. Of a task in the profile `native`, each object that
-/// the demonstration handles is one of the simulator's own scene, or the simulator has a model of it; and the
+/// Why a task cannot be done in its simulator itself; "" when it can. Of a task in the profile `native`, each object
+/// that the demonstration handles is one of the simulator's own scene, or the simulator has a model of it; and the
 /// simulator's form expresses the task, so that each state of the goal and each action of the demonstration is one that
 /// the simulator has.
 using NativeCheck = std::function<Result<std::string>(const FinishedTask&)>;

@@ -27,12 +27,11 @@ Result<ExpressTask> express_virtualhome(const ExportRequest& request) {
     if (!program) return ExpressedTask{{}, program.error().message};
     const TaskRecord& record = task.record;
     const nlohmann::ordered_json names(graph->names);
-    return ExpressedTask{
-        {{record.id + ".json", std::move(graph->text)},
-         {record.id + ".txt",
-          record.template_name + "\n" + record.instruction + "\n\n\n" + join(*program, "\n") + "\n"},
-         {record.id + ".names.json", names.dump(1) + "\n"}},
-        ""};
+    return ExpressedTask{{{record.id + ".json", std::move(graph->text)},
+                          {record.id + ".txt",
+                           record.template_name + "\n" + record.instruction + "\n\n\n" + join(*program, "\n") + "\n"},
+                          {record.id + ".names.json", names.dump(1) + "\n"}},
+                         ""};
   });
 }
 

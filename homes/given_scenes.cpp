@@ -182,8 +182,9 @@ GivenScenes native_homes(const std::vector<fs::path>& paths, const Resources& re
     const auto is_theirs = [&](const Node& node) { return own_id_of(node, one.scene.simulator).has_value(); };
     if (std::none_of(one.scene.nodes.begin(), one.scene.nodes.end(), is_theirs))
       given.errors.push_back(
-          usage(one.file, "is no scene of a simulator: none of its objects has an id of that simulator; expected a "
-                          "simulator's file, or what `unietp scene import --own-ids` makes of one"));
+          usage(one.file,
+                "is no scene of a simulator: none of its objects has an id of that simulator; expected a "
+                "simulator's file, or what `unietp scene import --own-ids` makes of one"));
   }
   keep(std::move(found), given);
   return given;

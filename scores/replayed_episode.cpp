@@ -145,8 +145,9 @@ void EpisodeFollower::look(const AnsweredAction& next, const Environment& now) {
 void EpisodeFollower::acted(const StepResult& result, const Environment& now) {
   for (const ExecutedAction& executed : result.executed) {
     ReplayedAction action;
-    action.record = {executed.command, executed.outcome.success, std::string(name_of(executed.outcome.failure)),
-                     executed.outcome.feedback, executed.counted, executed.simulator};
+    action.record = {
+        executed.command,          executed.outcome.success, std::string(name_of(executed.outcome.failure)),
+        executed.outcome.feedback, executed.counted,         executed.simulator};
     name_object(action, state_->seen, now);
     state_->monitors.read(executed.changes, now);
     action.progress = now.progress();

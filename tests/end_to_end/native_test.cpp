@@ -21,8 +21,8 @@ const fs::path kHomes = fs::path(UNIETP_SOURCE_DIR) / "tests" / "end_to_end" / "
 
 struct NativeSample {
   std::string simulator, file;
-  std::string form;                      // that expresses the tasks
-  std::vector<std::string> ids;          // of some of the file's objects
+  std::string form;              // that expresses the tasks
+  std::vector<std::string> ids;  // of some of the file's objects
 };
 std::string name_of_sample(const ::testing::TestParamInfo<NativeSample>& info) { return info.param.simulator; }
 
@@ -72,7 +72,8 @@ TEST(Native, WhatIsNoSceneOfASimulatorIsRefused) {
   const auto without = run_program({"generate", "--native", "--count", "1", "--out", folder.at("out")});
   EXPECT_EQ(without.code, 2);
   EXPECT_THAT(without.err, HasSubstr("needs --scenes"));
-  ASSERT_EQ(run_program({"scene", "make", "--simulator", "habitat", "--count", "1", "--out", folder.at("homes")}).code, 0);
+  ASSERT_EQ(run_program({"scene", "make", "--simulator", "habitat", "--count", "1", "--out", folder.at("homes")}).code,
+            0);
   const auto ours = make_native(folder.at("homes"), folder.at("out"), 1);
   EXPECT_EQ(ours.code, 2);
   EXPECT_THAT(ours.err, HasSubstr("is no scene of a simulator"));

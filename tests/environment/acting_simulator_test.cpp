@@ -16,6 +16,11 @@ namespace {
 using ::testing::HasSubstr;
 using testing::house_task;
 
+const SharedTask& the_task() {
+  static const SharedTask kTask = house_task();
+  return kTask;
+}
+
 /// Does what another environment does, but for one action, which it refuses, forgets, or breaks at.
 class Twin : public ActingSimulator {
  public:
@@ -23,7 +28,7 @@ class Twin : public ActingSimulator {
   explicit Twin(Whim whim = Whim::None, ActionType at = ActionType::Stop) : whim_(whim), at_(at) {}
 
   Result<Done> begin(const EnvironmentTask&) override {
-    auto made = Environment::make(house_task(), settings_for(Mode::M1));
+    auto made = Environment::make(the_task(), settings_for(Mode::M1));
     if (!made) return made.error();
     own_.emplace(std::move(*made));
     return Done{};
@@ -45,25 +50,29 @@ class Twin : public ActingSimulator {
   Whim whim_;
   ActionType at_;
   std::optional<Environment> own_;
-  EdgeSet edges_ = house_task()->start.edges;
+  EdgeSet edges_ = the_task()->start.edges;
 };
 
 Environment in_twin(Twin::Whim whim = Twin::Whim::None, ActionType at = ActionType::Stop) {
-  auto made = Environment::make(house_task(), settings_for(Mode::M1), std::make_shared<Twin>(whim, at));
+  auto made = Environment::make(the_task(), settings_for(Mode::M1), std::make_shared<Twin>(whim, at));
   if (!made) throw std::runtime_error(format(made.error()));
   return std::move(*made);
 }
 
-std::vector<Command> plan() {
-  const EnvironmentTask& task = *house_task();
-  const auto shown = demonstrate(task.goal, task.start, *task.data.knowledge, *task.data.profile, {});
-  std::vector<Command> commands;
-  for (const DemonstrationStep& step : std::get<Demonstration>(shown).steps) commands.push_back(step.command);
-  return commands;
+/// The expert's.
+const std::vector<Command>& plan() {
+  static const std::vector<Command> kPlan = [] {
+    const EnvironmentTask& task = *the_task();
+    const auto shown = demonstrate(task.goal, task.start, *task.data.knowledge, *task.data.profile, {});
+    std::vector<Command> commands;
+    for (const DemonstrationStep& step : std::get<Demonstration>(shown).steps) commands.push_back(step.command);
+    return commands;
+  }();
+  return kPlan;
 }
 
 TEST(AnActingSimulator, ThatDoesTheSameGivesTheSameEpisode) {
-  Environment ours = testing::house_environment(settings_for(Mode::M1));
+  Environment ours = std::move(*Environment::make(the_task(), settings_for(Mode::M1)));
   Environment theirs = in_twin();
   for (const Command& command : plan()) {
     const StepResult a = ours.step(command), b = theirs.step(command);

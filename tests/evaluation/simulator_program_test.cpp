@@ -24,11 +24,11 @@ Scene kitchen() {
 std::string answer(const std::string& result) { return R"({"jsonrpc":"2.0","id":7,"result":)" + result + "}"; }
 
 TEST(ASimulatorsAnswer, IsWhatChangedInOurWords) {
-  const auto read = read_simulator_answer(
-      answer(R"({"success":true,"message":"","states":{"fridge_1":["open","power_on"]},
+  const auto read =
+      read_simulator_answer(answer(R"({"success":true,"message":"","states":{"fridge_1":["open","power_on"]},
                  "edges_added":[["on","mug_1","table_1"],["inside","mug_1","fridge_1"]],
                  "edges_removed":[["in_room","agent","hall_1"]],"held":["mug_1"]})"),
-      7, kitchen());
+                            7, kitchen());
   ASSERT_TRUE(read) << format(read.error());
   EXPECT_TRUE(read->success);
   ASSERT_EQ(read->changes.nodes.size(), 1U);
