@@ -8,6 +8,7 @@
 #include "cli/command_parser.h"
 #include "cli/commands.h"
 #include "cli/evaluate_options.h"
+#include "cli/evaluation_backend.h"
 #include "cli/evaluation_results.h"
 #include "cli/progress_line.h"
 #include "cli/served_tasks.h"
@@ -33,6 +34,7 @@ struct EvaluationJob {
   TaskSource tasks;
   EpisodePlan plan;
   EvaluationSetup setup;
+  BackendTasks backend;  // of another one than our own physics
 };
 
 Result<EvaluationSetup> setup_of(const EvaluateChoice& choice, const EvaluateRequest& request, const TaskSource& tasks,
@@ -68,11 +70,15 @@ Result<EvaluationJob> make_job(const EvaluateChoice& choice, const CommandLine& 
   if (!reading.errors.empty()) return reading.errors.front();
   const bool demonstrated = request->built_in && (request->built_in->kind == BuiltInPolicy::Kind::Replay ||
                                                   request->built_in->kind == BuiltInPolicy::Kind::Noisy);
+  auto backend = backend_tasks(choice.backend, choice.folder, *reading.tasks.stored, request->selection, program);
+  if (!backend) return backend.error();
   auto plan = plan_episodes(*reading.tasks.stored, request->selection, demonstrated);
   if (!plan) return plan.error();
   auto setup = setup_of(choice, *request, *reading.tasks.stored, program);
   if (!setup) return setup.error();
-  return EvaluationJob{std::move(*request), std::move(*reading.tasks.stored), std::move(*plan), std::move(*setup)};
+  setup->backend = choice.backend;
+  return EvaluationJob{std::move(*request), std::move(*reading.tasks.stored), std::move(*plan), std::move(*setup),
+                       std::move(*backend)};
 }
 
 /// Whether the folder may be written: it is new, or has a run that is to be resumed and is made of the same.
@@ -159,6 +165,7 @@ Exit run_job(const EvaluateChoice& choice, const EvaluationJob& job, const Comma
   ProgressLine line(program.terminal);
   EvaluationOptions options;
   options.watcher = watched->watchers();
+  options.simulator = job.backend.simulators(choice.attempt_s, program);
   options.at_once = job.request.at_once;
   options.first_wait_s = choice.first_wait_s;
   options.stop = program.interrupted;
@@ -211,6 +218,8 @@ void add_evaluate_command(CommandParser& app, CommandLine& program) {
         "out/small",
         "a model on this machine that cannot see"},
        {"unietp evaluate out/mine --policy \"python3 agent.py\" --out out/agent", "your own program"},
+       {"unietp evaluate out/mine --backend virtualhome --policy replay --out out/there",
+        "acted out in VirtualHome's graph simulator, too"},
        {"unietp evaluate out/mine --show-prompt ai2thor-00001:3", "exactly what a model is sent at the third step"}});
   add_evaluate_options(*command, *choice);
   command->callback([choice, &program] { program.exit = evaluate_command(*choice, program); });

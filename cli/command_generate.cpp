@@ -7,6 +7,7 @@
 #include "cli/commands.h"
 #include "cli/common_options.h"
 #include "cli/library_options.h"
+#include "cli/native_tasks.h"
 #include "cli/run_command.h"
 #include "homes/given_scenes.h"
 
@@ -46,12 +47,15 @@ Exit generate(GenerateOptions& options, const CommandLine& program) {
     if (!modes) return refuse(modes.error());
     options.configuration.modes = *modes;
   }
+  if (options.configuration.native && options.scenes.empty())
+    return refuse({Error::Kind::Usage, "--native", {}, "needs --scenes, the simulators' own scenes"});
   auto reading = load_resources(program.folders);
   if (!reading.errors.empty()) return refuse(reading.errors);
   options.configuration.extended = program.folders.extended_library;
   options.configuration.own = reading.resources.own;
   if (!options.scenes.empty()) {
-    auto given = given_homes(options.scenes, reading.resources, program.folders);
+    auto given = options.configuration.native ? native_homes(options.scenes, reading.resources, program.folders)
+                                              : given_homes(options.scenes, reading.resources, program.folders);
     if (!given.errors.empty()) return refuse(given.errors);
     if (options.simulators.empty()) options.configuration.simulators = simulators_of(given.scenes);
     options.configuration.scenes = std::move(given.names);
@@ -67,6 +71,11 @@ Exit generate(GenerateOptions& options, const CommandLine& program) {
     if (!refused->empty()) return Exit::Wrong;
   }
 
+  if (options.configuration.native) {
+    auto check = refuse_not_native(reading.resources, program);
+    if (!check) return refuse(check.error());
+    options.run.not_native = std::move(*check);
+  }
   return make_data_set(options, reading.resources, program);
 }
 
@@ -92,6 +101,8 @@ void add_generate_command(CommandParser& app, CommandLine& program) {
         "exactly this task, or the reason why it cannot be made"},
        {"unietp generate --count 20 --scenes out/homes --out out/imported",
         "in the homes of these scene files, such as `unietp scene import` writes"},
+       {"unietp generate --native --count 20 --scenes house.jsonl.gz --out out/native",
+        "in a simulator's own scenes, only what that simulator can do (docs/native.md)"},
        {"unietp generate --count 20 --modes M1,M2,M3 --out out/modes", "demonstrated in all three modes"},
        {"unietp generate --count 40 --seed 1 --out out/first --resume",
         "continue after an interruption; the result is the same to the byte"}});
@@ -124,6 +135,9 @@ void add_generate_command(CommandParser& app, CommandLine& program) {
       ->shows_default();
   command->add_option("--scenes,--scene", options->scenes,
                       "Homes to use: scene files, folders of them, or names of benchmark homes (default: new homes)");
+  command->add_flag("--native", configuration.native,
+                    "Only tasks that can be done in the simulator itself, in scenes of its own: --scenes takes the "
+                    "simulators' files, too");
   add_run_options(*command, *options, program);
   command->callback([options, count, &program] {
     options->count_given = count->given();

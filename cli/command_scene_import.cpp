@@ -26,7 +26,7 @@ struct SceneImportOptions {
   std::string format, homes;
   std::vector<std::filesystem::path> files;
   std::filesystem::path out, assets;
-  bool not_settled = false, json = false;
+  bool not_settled = false, own_ids = false, json = false;
   int threads = 1;
 };
 
@@ -145,6 +145,7 @@ Exit import(const SceneImportOptions& options, const CommandLine& program) {
   std::vector<ImportOutcome> outcomes(homes.size());
   ImportOptions how;
   how.settle = !options.not_settled;
+  how.own_ids = options.own_ids;
   std::atomic<bool> unwritable{false};
   const bool whole = for_each_home(homes.size(), options.threads, program, [&](std::size_t i) {
     const auto imported = import_home(homes[i], known.backends, formats.facts, how);
@@ -201,6 +202,8 @@ void add_scene_import_command(CommandParser& group, CommandLine& program) {
                       "Categories and sizes of models that scenes only name: a table for Habitat, the object inventory "
                       "for BEHAVIOR");
   command->add_flag("--no-settle", options->not_settled, "Keep every position from the file; do not run physics");
+  command->add_flag("--own-ids", options->own_ids,
+                    "Objects keep the ids that the simulator has for them, for `unietp generate --native`");
   add_threads_option(*command, options->threads, program);
   command->add_flag("--json", options->json, "Print the report as JSON");
   command->callback([options, &program] { program.exit = import(*options, program); });

@@ -152,6 +152,14 @@ void add_selection_options(CommandParser& command, EvaluateChoice& choice) {
       ->type_name("NAME,...")
       ->suggests(split_names());
   add_simulators_option(command, choice.simulators, "Only tasks of these simulators");
+  command
+      .add_option(
+          "--backend", choice.backend,
+          "Where actions are done and goals judged: unietp, or virtualhome, its graph simulator, with the Python "
+          "package of that name (docs/native.md)")
+      ->type_name("NAME")
+      ->suggests({"unietp", "virtualhome"})
+      ->shows_default();
   command.add_option("--tasks", choice.tasks, "Only these tasks, by their ids")->type_name("ID,...");
   command.add_option("--limit", choice.limit, "At most so many tasks, the first ones")->within(1, limits::kTasks);
   command.add_option("--repeats", choice.repeats, "Times that each task is played")->within(1, 10'000)->shows_default();

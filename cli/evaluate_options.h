@@ -18,6 +18,7 @@ class CommandParser;
 struct EvaluateChoice {
   std::filesystem::path folder, out, cache;
   std::string model, url, policy;
+  std::string backend = "unietp";
   std::string modes = "M1", splits, simulators, tasks, preset = "paper";
   int limit = 0, repeats = 1, at_once = 0;
   std::optional<std::uint64_t> seed;

@@ -101,11 +101,12 @@ Result<Shard> shard_of(const std::string& text) {
 Result<RunConfiguration> settings_in(const std::filesystem::path& file, CommandLine& program) {
   auto configuration = read_configuration(file);
   if (!configuration) return configuration.error();
-  if (!configuration->scenes.empty() || !configuration->own.empty() || !configuration->binding.empty())
+  if (!configuration->scenes.empty() || configuration->native || !configuration->own.empty() ||
+      !configuration->binding.empty())
     return Error{Error::Kind::Usage,
                  file.string(),
                  {},
-                 "has scenes, a binding or your own templates; give these to `unietp generate` as options"};
+                 "has scenes, `native`, a binding or your own templates; give these to `unietp generate` as options"};
   program.folders.extended_library = configuration->extended;
   return configuration;
 }

@@ -64,6 +64,7 @@ struct RunConfiguration {
   int rooms = 6;                    // of a drawn home
   int objects = 60;                 // movable ones asked for in a drawn home
   std::vector<std::string> scenes;  // given homes, "<id> <sha256>"; empty: homes are drawn
+  bool native = false;              // only tasks that their simulators can express, in scenes of their own
   Phrasings phrasings = Phrasings::Everyday;
   English english = English::Us;
   Grade sense = Grade::Usual;  // at least; where a template has nothing so good, its tasks are the best that it has

@@ -57,6 +57,7 @@ class ConfigurationReader {
     if (const auto at = fields.optional("templates")) configuration.templates = reader_.texts(*at);
     if (const auto at = fields.optional("without")) configuration.without = reader_.texts(*at);
     if (const auto at = fields.optional("extended")) configuration.extended = reader_.boolean(*at);
+    if (const auto at = fields.optional("native")) configuration.native = reader_.boolean(*at);
     if (const auto at = fields.optional("own")) configuration.own = reader_.texts(*at);
     binding(fields, configuration);
     list(fields, "modes", std::vector<Mode>(kModes.begin(), kModes.end()), configuration.modes, 1);
@@ -206,6 +207,7 @@ Json to_json(const RunConfiguration& configuration) {
   json["templates"] = configuration.templates;
   if (!configuration.without.empty()) json["without"] = configuration.without;
   if (configuration.extended) json["extended"] = true;
+  if (configuration.native) json["native"] = true;
   if (!configuration.own.empty()) json["own"] = configuration.own;
   if (!configuration.binding.empty()) {
     auto& binding = json["binding"] = Json::array();

@@ -15,9 +15,9 @@ Environment::Environment(Environment&&) noexcept = default;
 Environment& Environment::operator=(Environment&&) noexcept = default;
 Environment::~Environment() = default;
 
-Result<Environment> Environment::make(SharedTask task, const Settings& settings) {
+Result<Environment> Environment::make(SharedTask task, const Settings& settings, SharedSimulator simulator) {
   if (auto fine = check(settings); !fine) return fine.error();
-  auto state = EpisodeState::begin(std::move(task), settings);
+  auto state = EpisodeState::begin(std::move(task), settings, std::move(simulator));
   if (!state) return state.error();
   return Environment(std::move(*state));
 }
@@ -26,14 +26,16 @@ const SharedTask& Environment::task() const { return state_->task; }
 const Settings& Environment::settings() const { return state_->settings; }
 const Observation& Environment::observe() const { return state_->observation; }
 bool Environment::over() const { return state_->observation.over; }
+const std::string& Environment::broken() const { return state_->broken; }
 
 const Observation& Environment::reset() {
-  state_ = std::move(*EpisodeState::begin(state_->task, state_->settings));  // its start was built before
+  // Its start was built before.
+  state_ = std::move(*EpisodeState::begin(state_->task, state_->settings, state_->simulator));
   return state_->observation;
 }
 
 Result<Done> Environment::reset(SharedTask task) {
-  auto state = EpisodeState::begin(std::move(task), state_->settings);
+  auto state = EpisodeState::begin(std::move(task), state_->settings, state_->simulator);
   if (!state) return state.error();
   state_ = std::move(*state);
   return Done{};
@@ -130,7 +132,7 @@ PrivilegedState Environment::privileged() const {
 
 double Environment::progress() const { return state_->monitor.progress(); }
 
-const Scene& Environment::scene() const { return state_->episode.world().scene(); }
+const Scene& Environment::scene() const { return state_->judged_scene(); }
 bool Environment::has_object(std::string_view id) const { return state_->episode.world().find(id) != nullptr; }
 const std::vector<VisibleObject>& Environment::pictured() const { return state_->episode.world().pictured(); }
 bool Environment::pictures(std::string_view id) const {

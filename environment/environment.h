@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/result.h"
+#include "environment/acting_simulator.h"
 #include "environment/answer.h"
 #include "environment/observation.h"
 #include "environment/settings.h"
@@ -29,7 +30,9 @@ struct EpisodeState;
 class Environment {
  public:
   /// Starts the first episode. Errors: those of check(settings); Schema when the start cannot be built.
-  static Result<Environment> make(SharedTask task, const Settings& settings);
+  /// With a simulator, actions have to succeed there too and the goal is judged on its state (acting_simulator.h); such
+  /// an environment is not copied. What the simulator fails to do is no error here: see `broken`.
+  static Result<Environment> make(SharedTask task, const Settings& settings, SharedSimulator simulator = nullptr);
   Environment(Environment&&) noexcept;
   Environment& operator=(Environment&&) noexcept;
   ~Environment();
@@ -53,6 +56,8 @@ class Environment {
   StepResult step(const Answer& answer);
   /// Whether the episode has ended.
   bool over() const;
+  /// Why the simulator no longer answers, after which nothing is executed; "" when it does, or there is none.
+  const std::string& broken() const;
 
   /// What the head camera shows: rows from the top, three bytes a pixel, observe().image_width × image_height.
   Picture picture() const;
@@ -88,7 +93,7 @@ class Environment {
   PrivilegedState privileged() const;
   /// privileged().progress alone, at a fraction of the cost.
   double progress() const;
-  /// The scene graph with all relations.
+  /// The scene graph with all relations; the simulator's where there is one.
   const Scene& scene() const;
   /// Whether there is an object of this id in the home now, seen or not.
   bool has_object(std::string_view id) const;

@@ -25,7 +25,8 @@ std::string_view name_of(EpisodeEnd end) {
   return kNames[static_cast<std::size_t>(end)];
 }
 
-Result<std::unique_ptr<EpisodeState>> EpisodeState::begin(SharedTask task, const Settings& settings) {
+Result<std::unique_ptr<EpisodeState>> EpisodeState::begin(SharedTask task, const Settings& settings,
+                                                          SharedSimulator simulator) {
   auto profile = profile_of(*task, settings);
   auto world = World::create(task->start, *task->data.knowledge, *profile, task->known);
   if (!world) return world.error();
@@ -37,12 +38,17 @@ Result<std::unique_ptr<EpisodeState>> EpisodeState::begin(SharedTask task, const
                    task->facts, task->monitor, std::vector<Action>(), 0, std::move(first), Rays()});
   state->episode.forget();  // the scene that the lists were made from
   state->observe({});
+  if (simulator) {
+    state->theirs = task->start;
+    if (auto begun = simulator->begin(*task); !begun) state->broken = format(begun.error());
+    state->simulator = std::move(simulator);
+  }
   return state;
 }
 
 std::unique_ptr<EpisodeState> EpisodeState::apart() const {
   return std::make_unique<EpisodeState>(EpisodeState{task, settings, profile, episode.apart(), reader, facts, monitor,
-                                                     done, answered, observation, Rays()});
+                                                     done, answered, observation, Rays(), simulator, theirs, broken});
 }
 
 EpisodeEnd EpisodeState::end() const {
@@ -55,9 +61,19 @@ EpisodeEnd EpisodeState::end() const {
   return EpisodeEnd::None;
 }
 
+std::optional<SimulatorAnswer> EpisodeState::ask(const Action& action) {
+  auto answer = simulator->act(action, theirs);
+  if (!answer) {
+    broken = format(answer.error());
+    return std::nullopt;
+  }
+  if (answer->success) theirs = apply(std::move(theirs), answer->changes);
+  return std::move(*answer);
+}
+
 void EpisodeState::read(const Delta& changes) {
   if (task->compares_later) {
-    const Scene& scene = episode.world().scene();
+    const Scene& scene = judged_scene();
     facts = with_comparisons(reader.read(scene), scene, reader, task->compared);
   } else {
     facts = reader.read(std::move(facts), changes);
@@ -88,7 +104,8 @@ StepInProgress::StepInProgress(EpisodeState& state) : state_(state), was_over_(s
 }
 
 bool StepInProgress::goes_on() const {
-  return state_.end() == EpisodeEnd::None && !(failed_ && state_.settings.on_fail == OnFail::Stop);
+  return state_.broken.empty() && state_.end() == EpisodeEnd::None &&
+         !(failed_ && state_.settings.on_fail == OnFail::Stop);
 }
 
 /// With the object that the picture shows at a point named as the rules want it.
@@ -111,11 +128,26 @@ void StepInProgress::act(const AnsweredAction& action) {
   ModeEpisode& episode = state_.episode;
   const int steps_before = episode.steps();
   const MomentId before = episode.world().moment();
+  std::optional<ModeEpisode> kept;  // to go back to when the simulator refuses
+  if (state_.simulator) kept = episode.apart();
   Outcome outcome = episode.step(command);
   Delta changes;
-  if (episode.world().moment() != before) {
+  std::optional<SimulatorAnswer> theirs;
+  if (!state_.simulator && episode.world().moment() != before) {
     changes = episode.world().changes();
     state_.read(changes);
+  } else if (state_.simulator && outcome.success && !episode.world().stopped()) {
+    theirs = state_.ask(episode.last_action());
+    if (!theirs) return;
+    if (theirs->success) {
+      changes = theirs->changes;
+      if (!changes.empty()) state_.read(changes);
+    } else {
+      episode = std::move(*kept);
+      outcome = episode.refuse("");
+      outcome.failure = Failure::NotOffered;
+      outcome.feedback = "The simulator refuses: " + theirs->message;
+    }
   }
   if (outcome.success && state_.done) {
     // As the world took it: where it was named by a box, that box says nothing of later pictures.
@@ -123,6 +155,7 @@ void StepInProgress::act(const AnsweredAction& action) {
     if (state_.done->size() > kActionsKept) state_.done.reset();
   }
   note(std::move(command), std::move(outcome), std::move(changes), steps_before);
+  result_.executed.back().simulator = std::move(theirs);
 }
 
 void StepInProgress::refuse(std::string_view expected) {

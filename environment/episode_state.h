@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "environment/acting_simulator.h"
 #include "environment/answer.h"
 #include "environment/observation.h"
 #include "environment/settings.h"
@@ -22,13 +23,18 @@ std::string_view name_of(EpisodeEnd end);  // "", "stop", "failures", "steps", "
 /// All that an environment has of one episode.
 struct EpisodeState {
   /// At the start. Errors: as World::create.
-  static Result<std::unique_ptr<EpisodeState>> begin(SharedTask task, const Settings& settings);
+  static Result<std::unique_ptr<EpisodeState>> begin(SharedTask task, const Settings& settings,
+                                                     SharedSimulator simulator);
   /// A copy that shares nothing that changes.
   std::unique_ptr<EpisodeState> apart() const;
 
   /// How boxes of answers are to be read.
   AnswerFrame frame() const { return {settings.box_form, profile->image_width, profile->image_height}; }
   EpisodeEnd end() const;
+  /// The scene graph that the goal is judged on.
+  const Scene& judged_scene() const { return simulator ? theirs : episode.world().scene(); }
+  /// What the simulator makes of an action, with its state kept up; nullopt when it does not answer.
+  std::optional<SimulatorAnswer> ask(const Action& action);
   /// Reads the goal after a step that changed something.
   void read(const Delta& changes);
   /// Makes the observation of the present state; `results`: what was executed since the one before.
@@ -44,7 +50,10 @@ struct EpisodeState {
   std::optional<std::vector<Action>> done;  // that succeeded; nullopt: more than are kept
   int answered = 0;                         // actions taken, invalid ones included
   Observation observation;
-  mutable Rays rays;  // scratch space
+  mutable Rays rays;               // scratch space
+  SharedSimulator simulator = {};  // in which the episode is acted out, too; null: our physics alone
+  Scene theirs = {};               // its state, in our scene graph
+  std::string broken = {};         // why it no longer answers
 };
 
 /// The actions of one answer, one after the other.

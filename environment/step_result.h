@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "environment/observation.h"
+#include "environment/simulator_answer.h"
 #include "scene/command.h"
 #include "scene/trace.h"
 #include "simulation/outcome.h"
@@ -14,8 +16,9 @@ namespace unietp {
 struct ExecutedAction {
   Command command;      // as the mode took it; empty for an answer that could not be read
   Outcome outcome;      // success, kind of failure, the sentence of the mode, whatever `feedback` is set to
-  Delta changes;        // of the scene
+  Delta changes;        // of the scene that the goal is judged on
   bool counted = true;  // as a step; an invalid action is not when those are free
+  std::optional<SimulatorAnswer> simulator = {};  // what it said, where there is one and it was asked
 };
 
 /// What a step gives.

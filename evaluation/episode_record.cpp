@@ -8,6 +8,7 @@
 
 #include "evaluation/episode_fields.h"
 #include "record/record_fields.h"
+#include "scene/scene_json.h"
 
 namespace unietp {
 namespace {
@@ -21,7 +22,8 @@ constexpr std::array kOutcomes{std::pair{EpisodeOutcome::Stop, "stop"}, std::pai
 constexpr std::array kErrorKinds{
     std::pair{EpisodeErrorKind::RateLimit, "rate_limit"},  std::pair{EpisodeErrorKind::Server, "server"},
     std::pair{EpisodeErrorKind::Connection, "connection"}, std::pair{EpisodeErrorKind::Timeout, "timeout"},
-    std::pair{EpisodeErrorKind::Rejected, "rejected"},     std::pair{EpisodeErrorKind::Policy, "policy"}};
+    std::pair{EpisodeErrorKind::Rejected, "rejected"},     std::pair{EpisodeErrorKind::Policy, "policy"},
+    std::pair{EpisodeErrorKind::Simulator, "simulator"}};
 
 template <class Table>
 auto value_named(const Table& table, std::string_view name) -> std::optional<decltype(table[0].first)> {
@@ -43,6 +45,10 @@ Json action_json(const EpisodeAction& action) {
   json["failure"] = action.failure;
   json["feedback"] = action.feedback;
   json["counted"] = action.counted;
+  if (action.simulator)
+    json["simulator"] = {{"success", action.simulator->success},
+                         {"message", action.simulator->message},
+                         {"changes", Json::parse(delta_to_json(action.simulator->changes))}};
   return json;
 }
 
@@ -70,6 +76,16 @@ Command read_command(JsonReader& reader, const JsonAt& at, const JsonAt& action,
   return read_part(reader, at, command_from_json, Json{{"action", action.json}, {"args", args.json}});
 }
 
+SimulatorAnswer read_simulator(JsonReader& reader, const JsonAt& at) {
+  SimulatorAnswer answer;
+  JsonFields fields(reader, at);
+  if (const auto f = fields.required("success")) answer.success = reader.boolean(*f);
+  if (const auto f = fields.required("message")) answer.message = text_or_empty(reader, *f);
+  if (const auto f = fields.required("changes")) answer.changes = read_part(reader, *f, delta_from_json, f->json);
+  fields.finish();
+  return answer;
+}
+
 EpisodeAction read_action(JsonReader& reader, const JsonAt& at) {
   EpisodeAction action;
   JsonFields fields(reader, at);
@@ -86,6 +102,7 @@ EpisodeAction read_action(JsonReader& reader, const JsonAt& at) {
   }
   if (const auto f = fields.required("feedback")) action.feedback = text_or_empty(reader, *f);
   if (const auto f = fields.required("counted")) action.counted = reader.boolean(*f);
+  if (const auto f = fields.optional("simulator")) action.simulator = read_simulator(reader, *f);
   fields.finish();
   return action;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/result.h"
+#include "environment/simulator_answer.h"
 #include "evaluation/episode_key.h"
 #include "scene/command.h"
 
@@ -20,9 +21,10 @@ inline constexpr const char* kTimingFile = "timing.jsonl";      // how long it t
 struct EpisodeAction {
   Command command;  // as the mode took it, boxes in pixels; an empty name: the reply could not be read
   bool success = false;
-  std::string failure;   // name of the kind: "none", "not_visible", …
-  std::string feedback;  // the sentence of the mode; "" on success
-  bool counted = true;   // as a step; an invalid action is not where those are free
+  std::string failure;                            // name of the kind: "none", "not_visible", …
+  std::string feedback;                           // the sentence of the mode; "" on success
+  bool counted = true;                            // as a step; an invalid action is not where those are free
+  std::optional<SimulatorAnswer> simulator = {};  // of an evaluation in a simulator: what it said, where it was asked
   bool operator==(const EpisodeAction&) const = default;
 };
 
@@ -52,7 +54,8 @@ enum class EpisodeErrorKind : std::uint8_t {
   Connection,  // refused, reset or cut
   Timeout,     // no complete answer in time
   Rejected,    // another status: a request that the server refuses
-  Policy       // the policy's program ended, broke the protocol or took too long
+  Policy,      // the policy's program ended, broke the protocol or took too long
+  Simulator    // the same of the simulator's
 };
 std::string_view name_of(EpisodeErrorKind kind);  // "rate_limit", "server", …
 std::optional<EpisodeErrorKind> error_kind_named(std::string_view name);

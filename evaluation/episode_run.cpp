@@ -18,8 +18,8 @@ using Clock = std::chrono::steady_clock;
 double since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
 EpisodeAction action_of(const ExecutedAction& executed) {
-  return {executed.command, executed.outcome.success, std::string(name_of(executed.outcome.failure)),
-          executed.outcome.feedback, executed.counted};
+  return {executed.command,          executed.outcome.success, std::string(name_of(executed.outcome.failure)),
+          executed.outcome.feedback, executed.counted,         executed.simulator};
 }
 
 /// One line that may be shown, never empty.
@@ -113,7 +113,7 @@ std::variant<PlayedEpisode, NoReply> play_episode(const PlannedEpisode& planned,
   EpisodeWriter writer(planned, environment);
   if (watcher != nullptr) watcher->begin(environment);
   auto none = policy.begin(planned, environment);
-  while (!none && !environment.over()) {
+  while (!none && environment.broken().empty() && !environment.over()) {
     auto answer = policy.next(environment);
     auto* reply = std::get_if<PolicyReply>(&answer);
     if (reply == nullptr) {
@@ -121,7 +121,12 @@ std::variant<PlayedEpisode, NoReply> play_episode(const PlannedEpisode& planned,
       break;
     }
     const StepResult result = writer.step(std::move(*reply), environment, watcher);
+    if (!environment.broken().empty()) break;
     if (watcher != nullptr) watcher->after_reply(writer.unreadable(), result, environment);
+  }
+  if (!environment.broken().empty()) {
+    none = NoReply{EpisodeErrorKind::Simulator, environment.broken()};
+    none->again = true;
   }
   if (!none) return std::move(writer).finish(environment);
   if (none->stopped || none->again || none->hopeless) return std::move(*none);

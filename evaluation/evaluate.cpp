@@ -33,9 +33,9 @@ class EvaluationRun {
     progress.cost = log.cost();
   }
 
-  void work(Policy& policy, EpisodeWatcher* watcher) {
+  void work(Policy& policy, EpisodeWatcher* watcher, const SharedSimulator& simulator) {
     while (const auto planned = next()) {
-      const auto done = play(*planned, policy, watcher);
+      const auto done = play(*planned, policy, watcher, simulator);
       if (!done) end(done.error());
     }
   }
@@ -67,14 +67,15 @@ class EvaluationRun {
     return nullptr;
   }
 
-  Result<Done> play(const PlannedEpisode& planned, Policy& policy, EpisodeWatcher* watcher) {
+  Result<Done> play(const PlannedEpisode& planned, Policy& policy, EpisodeWatcher* watcher,
+                    const SharedSimulator& simulator) {
     const auto task = tasks_.task(planned.position);
     if (!task) return task.error();
     NoReply last;
     double wait_s = options_.first_wait_s;
     for (int attempt = 1;; ++attempt) {
       const auto begin = Clock::now();
-      auto environment = Environment::make(*task, settings_.at(planned.key.mode));
+      auto environment = Environment::make(*task, settings_.at(planned.key.mode), simulator);
       if (!environment) return environment.error();
       const double made_s = std::chrono::duration<double>(Clock::now() - begin).count();
       auto played = play_episode(planned, *environment, policy, watcher);
@@ -188,7 +189,7 @@ Result<EvaluationReport> evaluate(const EpisodePlan& plan, const TaskSource& tas
   run_on_threads(std::max(1, options.at_once), [&] {
     const auto own = policy();
     const auto watcher = options.watcher ? options.watcher() : nullptr;
-    run.work(*own, watcher.get());
+    run.work(*own, watcher.get(), options.simulator ? options.simulator() : nullptr);
   });
   return std::move(run).report();
 }

@@ -12,6 +12,7 @@
 #include "evaluation/episode_watcher.h"
 #include "evaluation/evaluation_manifest.h"
 #include "evaluation/policy.h"
+#include "evaluation/simulator_program.h"
 
 namespace unietp {
 
@@ -40,6 +41,7 @@ struct EvaluationOptions {
   const std::atomic<bool>* stop = nullptr;
   std::function<void(const EvaluationProgress&)> progress;  // called by one thread at a time
   WatcherMaker watcher;
+  SimulatorMaker simulator = {};  // in which the episodes are acted out, too; empty: our physics alone
 };
 
 /// How a run ended.

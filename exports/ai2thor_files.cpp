@@ -4,11 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/files.h"
 #include "exports/ai2thor_goal.h"
 #include "exports/ai2thor_plan.h"
-#include "exports/formats.h"
-#include "exports/task_folder.h"
+#include "exports/express.h"
 #include "interchange/formats.h"
 #include "scene/trace.h"
 
@@ -157,28 +155,26 @@ Result<Json> task_json(const FinishedTask& task, ThorHouse& made, const Knowledg
 /// For each task of AI2-THOR `<task>.house.json`, its home for CreateHouse, and `<task>.json`, the calls that start it,
 /// the demonstration in M1 as calls, and the goal as tests of the metadata; and left_out.jsonl.
 Result<std::string> write_ai2thor_files(const ExportRequest& request) {
-  const auto [facts, wrong] = read_format_facts(request.data / "scene_files");
+  return write_expressed(request, express_ai2thor(request));
+}
+
+}  // namespace
+
+Result<ExpressTask> express_ai2thor(const ExportRequest& request) {
+  auto [facts, wrong] = read_format_facts(request.data / "scene_files");
   if (!wrong.empty()) return wrong.front();
-  const auto say = [&, &facts = facts](const FinishedTask& task,
-                                       const std::filesystem::path& folder) -> Result<std::optional<std::string>> {
-    if (task.start.simulator != Simulator::Ai2thor) return std::optional<std::string>("not a task of AI2-THOR");
+  return ExpressTask([facts = std::move(facts), &request](const FinishedTask& task) -> Result<ExpressedTask> {
+    if (task.start.simulator != Simulator::Ai2thor) return ExpressedTask{{}, "not a task of AI2-THOR"};
     const Knowledge& knowledge = *backend_of(request.backends, task.start).knowledge;
     auto house = write_house(task.start, knowledge, facts);
     if (!house) return house.error();
     const auto json = task_json(task, *house, knowledge);
-    if (!json) return std::optional(json.error().message);
-    const std::string text = json->dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
-    for (const auto& [ending, content] : {std::pair{".json", text}, {".house.json", house->written.text}}) {
-      if (auto written = write_file(folder, task.record.id + ending, content); !written) return written.error();
-    }
-    return std::optional<std::string>();
-  };
-  const auto made = write_task_folder(request.dataset, {Mode::M1}, request.out, say);
-  if (!made) return made.error();
-  return summary_of(*made, request.out);
+    if (!json) return ExpressedTask{{}, json.error().message};
+    const std::string& id = task.record.id;
+    std::string text = json->dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return ExpressedTask{{{id + ".json", std::move(text)}, {id + ".house.json", std::move(house->written.text)}}, ""};
+  });
 }
-
-}  // namespace
 
 ExportFormat ai2thor_format() {
   return {"ai2thor",

@@ -1,9 +1,7 @@
 #include <nlohmann/json.hpp>
 
-#include "core/files.h"
 #include "exports/bddl.h"
-#include "exports/formats.h"
-#include "exports/task_folder.h"
+#include "exports/express.h"
 #include "interchange/formats.h"
 
 namespace unietp {
@@ -67,34 +65,30 @@ Json task_json(const FinishedTask& task, const BddlProblem& problem, const Expor
 /// activities from; its start where OmniGibson looks for sampled scenes; and `<task>.json` with the exact goal over
 /// literals of BDDL; and left_out.jsonl.
 Result<std::string> write_behavior_files(const ExportRequest& request) {
-  const auto words = read_bddl_words(request.data / "bddl");
-  if (!words) return words.error();
-  const auto say = [&](const FinishedTask& task,
-                       const std::filesystem::path& folder) -> Result<std::optional<std::string>> {
-    const Knowledge& knowledge = *backend_of(request.backends, task.start).knowledge;
-    const auto problem = bddl_problem(task, knowledge, *words);
-    if (!problem) return std::optional(problem.error().message);
-    const auto scene = write_behavior(task.start, knowledge);
-    if (!scene) return scene.error();
-    const auto sampled = sampled_scene(task, *problem, *scene);
-    if (!sampled) return std::optional(sampled.error().message);
-    const std::string& id = task.record.id;
-    const std::string text =
-        task_json(task, *problem, *scene).dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
-    for (const auto& [file, content] :
-         {std::pair{"activity_definitions/" + id + "/problem0.bddl", problem->text},
-          {"scenes/" + id + "/json/" + id + "_task_" + id + "_0_0_template.json", *sampled},
-          {id + ".json", text}}) {
-      if (auto written = write_file(folder, file, content); !written) return written.error();
-    }
-    return std::optional<std::string>();
-  };
-  const auto made = write_task_folder(request.dataset, {Mode::M1}, request.out, say);
-  if (!made) return made.error();
-  return summary_of(*made, request.out);
+  return write_expressed(request, express_behavior(request));
 }
 
 }  // namespace
+
+Result<ExpressTask> express_behavior(const ExportRequest& request) {
+  auto words = read_bddl_words(request.data / "bddl");
+  if (!words) return words.error();
+  return ExpressTask([words = std::move(*words), &request](const FinishedTask& task) -> Result<ExpressedTask> {
+    const Knowledge& knowledge = *backend_of(request.backends, task.start).knowledge;
+    const auto problem = bddl_problem(task, knowledge, words);
+    if (!problem) return ExpressedTask{{}, problem.error().message};
+    const auto scene = write_behavior(task.start, knowledge);
+    if (!scene) return scene.error();
+    auto sampled = sampled_scene(task, *problem, *scene);
+    if (!sampled) return ExpressedTask{{}, sampled.error().message};
+    const std::string& id = task.record.id;
+    std::string text = task_json(task, *problem, *scene).dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return ExpressedTask{{{"activity_definitions/" + id + "/problem0.bddl", problem->text},
+                          {"scenes/" + id + "/json/" + id + "_task_" + id + "_0_0_template.json", std::move(*sampled)},
+                          {id + ".json", std::move(text)}},
+                         ""};
+  });
+}
 
 ExportFormat behavior_format() {
   return {"behavior",         "BEHAVIOR's activities, and goals over time", {}, true, write_behavior_files, true,

@@ -8,7 +8,9 @@
 #include "core/in_quotes.h"
 #include "core/plain_name.h"
 #include "core/text.h"
+#include "homes/foreign_scenes.h"
 #include "homes/home_plans.h"
+#include "interchange/own_ids.h"
 #include "scene/scene_json.h"
 
 namespace unietp {
@@ -147,6 +149,42 @@ GivenScenes given_homes(const std::vector<fs::path>& paths_or_ids, const Resourc
     }
     auto digest = sha256(scene_to_json(*scene));
     found.push_back({home.id, std::move(*scene), std::move(digest)});
+  }
+  keep(std::move(found), given);
+  return given;
+}
+
+GivenScenes native_homes(const std::vector<fs::path>& paths, const Resources& resources, const DataFolders& folders) {
+  GivenScenes given;
+  std::vector<fs::path> ours, theirs;
+  for (const fs::path& path : paths) {
+    std::error_code code;
+    (fs::is_directory(path, code) || is_scene_file(path) ? ours : theirs).push_back(path);
+  }
+  auto found = read_files(ours, resources.backends, given.errors);
+  const auto formats = read_format_facts(folders.scene_files());
+  given.errors.insert(given.errors.end(), formats.errors.begin(), formats.errors.end());
+  auto foreign = read_foreign_scenes("auto", theirs, resources.backends, formats.facts);
+  given.errors.insert(given.errors.end(), foreign.errors.begin(), foreign.errors.end());
+  if (!given.errors.empty()) return given;
+  ImportOptions how;
+  how.own_ids = true;
+  for (const ForeignHome& home : foreign.homes) {
+    auto imported = import_home(home, resources.backends, formats.facts, how);
+    if (!imported) {
+      given.errors.push_back(imported.error());
+      continue;
+    }
+    auto digest = sha256(scene_to_json(imported->scene));
+    found.push_back({home.file, std::move(imported->scene), std::move(digest)});
+  }
+  for (const auto& one : found) {
+    const auto is_theirs = [&](const Node& node) { return own_id_of(node, one.scene.simulator).has_value(); };
+    if (std::none_of(one.scene.nodes.begin(), one.scene.nodes.end(), is_theirs))
+      given.errors.push_back(
+          usage(one.file,
+                "is no scene of a simulator: none of its objects has an id of that simulator; expected a "
+                "simulator's file, or what `unietp scene import --own-ids` makes of one"));
   }
   keep(std::move(found), given);
   return given;

@@ -32,4 +32,10 @@ GivenScenes read_given_scenes(const std::vector<std::filesystem::path>& paths, c
 GivenScenes given_homes(const std::vector<std::filesystem::path>& paths_or_ids, const Resources& resources,
                         const DataFolders& folders);
 
+/// For tasks that are to be done in the simulators themselves: scene files that were imported, the simulators' own
+/// files of any format that can be imported, which are imported here, and folders of both. Errors: as above, and those
+/// of reading and importing; Usage for a home without an object of a simulator's own scene.
+GivenScenes native_homes(const std::vector<std::filesystem::path>& paths, const Resources& resources,
+                         const DataFolders& folders);
+
 }  // namespace unietp

@@ -64,7 +64,7 @@ Result<ImportedScene> assemble(const SourceScene& source, const Knowledge& knowl
   scene.simulator = source.simulator;
   draw_rooms(source, scene);
   if (std::string wrong = excess_of(scene); !wrong.empty()) return refuse(std::move(wrong));
-  Draft draft = draft_of(source, std::move(scene), knowledge, facts);
+  Draft draft = draft_of(source, std::move(scene), knowledge, facts, options.own_ids);
   if (draft.scene.rooms.empty()) return refuse("the file has no rooms, and no objects around which to draw one");
   if (source.rooms.empty()) draft.report.rooms_drawn = static_cast<int>(draft.scene.rooms.size());
   if (source.openings.empty()) draft.report.openings_made = static_cast<int>(draft.scene.openings.size());

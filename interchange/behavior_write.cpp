@@ -1,10 +1,13 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include <nlohmann/json.hpp>
 
 #include "interchange/floor_tiles.h"
 #include "interchange/formats.h"
+#include "interchange/own_ids.h"
 
 namespace unietp {
 namespace {
@@ -29,6 +32,7 @@ class BehaviorWriter {
 
   ExportedScene write() {
     for (const Room& room : scene_.rooms) add_floor(room);
+    for (const Node& node : scene_.nodes) own_names_.insert(node.id);
     for (const Node& node : scene_.nodes) add(node);
     left_out_.push_back("walls, doors and windows");
     Json scene{{"metadata", Json::object()},
@@ -82,6 +86,15 @@ class BehaviorWriter {
     return least == models.end() ? nullptr : *least;
   }
 
+  /// The name in the scene that the home was imported from; for others a new one, of the model with a number.
+  std::string name_of_object(const Node& node, const std::string& stem) {
+    if (auto own = own_id_of(node, Simulator::Behavior)) return *own;
+    std::string name;
+    do name = stem + std::to_string(count_[stem]++);
+    while (own_names_.contains(name));
+    return name;
+  }
+
   void add(const Node& node) {
     const Asset* const asset = model_of(node);
     if (asset == nullptr) {
@@ -92,7 +105,7 @@ class BehaviorWriter {
       left_out_.push_back(node.id + ": its model is stretched by more than half of a side");
     const auto dash = asset->name.rfind('-');
     const std::string category = asset->name.substr(0, dash), model = asset->name.substr(dash + 1);
-    const std::string name = category + "_" + model + "_" + std::to_string(count_[asset->name]++);
+    const std::string name = name_of_object(node, category + "_" + model + "_");
     names_[node.id] = name;
     Json rooms = Json::array();
     if (const Room* room = room_at(scene_, node.pose.position.head<2>())) rooms.push_back(room->id);
@@ -116,6 +129,7 @@ class BehaviorWriter {
   const Knowledge& knowledge_;
   Json info_ = Json::object(), state_ = Json::object();
   std::map<std::string, std::size_t> count_;  // instances of each model so far
+  std::set<std::string> own_names_;           // of all nodes, some of which are OmniGibson's own
   std::map<std::string, std::string> names_;
   std::vector<std::string> left_out_;
 };

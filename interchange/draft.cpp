@@ -8,8 +8,10 @@
 
 #include "akb/default_states.h"
 #include "core/limits.h"
+#include "core/plain_name.h"
 #include "core/text.h"
 #include "interchange/category_names.h"
+#include "interchange/own_ids.h"
 #include "scene/archetype_dimensions.h"
 #include "scene/fresh_id.h"
 #include "scene/near_room.h"
@@ -63,8 +65,8 @@ void unfold(Node& node) {
 
 class Placer {
  public:
-  Placer(const SourceScene& source, Scene scene, const Knowledge& knowledge, const FormatFacts& facts)
-      : source_(source), knowledge_(knowledge), facts_(facts), names_(knowledge) {
+  Placer(const SourceScene& source, Scene scene, const Knowledge& knowledge, const FormatFacts& facts, bool own_ids)
+      : source_(source), knowledge_(knowledge), facts_(facts), own_ids_(own_ids), names_(knowledge) {
     draft_.scene = std::move(scene);
     for (const Room& room : draft_.scene.rooms) ids_.insert(room.id);
     for (const Opening& opening : draft_.scene.openings) ids_.insert(opening.id);
@@ -139,7 +141,7 @@ class Placer {
       if (node.movable) issue(object, Reason::Leaning, "taken as the upright box around it");
       stand_up(node);
     }
-    node.id = free_id(category.name);
+    node.id = id_for(object, category);
     node_of_[index] = draft_.scene.nodes.size();
     draft_.source_of.push_back(index);
     draft_.file_centre.push_back(object.pose.position);
@@ -174,6 +176,11 @@ class Placer {
     } else {
       node.opening = object.opening > 0 ? std::min(object.opening, 1.0) : 1.0;
     }
+  }
+
+  std::string id_for(const SourceObject& object, const Category& category) {
+    const std::string own = own_ids_ ? simulators_id(object, source_.simulator, category.name) : "";
+    return is_label(own) && ids_.insert(own).second ? own : free_id(category.name);
   }
 
   std::string free_id(const std::string& category) {
@@ -246,6 +253,7 @@ class Placer {
   const SourceScene& source_;
   const Knowledge& knowledge_;
   const FormatFacts& facts_;
+  bool own_ids_;
   CategoryNames names_;
   Draft draft_;
   std::map<std::string, std::size_t> by_id_;    // known objects of the file
@@ -258,8 +266,9 @@ class Placer {
 
 }  // namespace
 
-Draft draft_of(const SourceScene& source, Scene scene, const Knowledge& knowledge, const FormatFacts& facts) {
-  return Placer(source, std::move(scene), knowledge, facts).place();
+Draft draft_of(const SourceScene& source, Scene scene, const Knowledge& knowledge, const FormatFacts& facts,
+               bool own_ids) {
+  return Placer(source, std::move(scene), knowledge, facts, own_ids).place();
 }
 
 Bounds box_of(const Node& node) { return bounds_of(shape_of(node), node.pose, node.opening); }

@@ -48,7 +48,8 @@ void draw_rooms(const SourceScene& source, Scene& scene);
 
 /// Nodes for all that can be placed, in the file's order, and the relations among them; the rest as issues. `scene` has
 /// its rooms.
-Draft draft_of(const SourceScene& source, Scene scene, const Knowledge& knowledge, const FormatFacts& facts);
+Draft draft_of(const SourceScene& source, Scene scene, const Knowledge& knowledge, const FormatFacts& facts,
+               bool own_ids = false);
 
 /// The box of a node's solids as its joints stand, W.
 Bounds box_of(const Node& node);

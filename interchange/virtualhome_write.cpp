@@ -2,12 +2,15 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
+#include <string>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
 #include "interchange/floor_tiles.h"
 #include "interchange/formats.h"
+#include "interchange/own_ids.h"
 #include "interchange/virtualhome_frame.h"
 #include "interchange/virtualhome_words.h"
 
@@ -41,6 +44,9 @@ class Exporter {
       : scene_(scene), knowledge_(knowledge), facts_(facts) {}
 
   ExportedScene write() {
+    for (const Node& node : scene_.nodes) {
+      if (const int number = own_number(node); number > 0) own_numbers_.insert(number);
+    }
     for (const Room& room : scene_.rooms) add_room(room);
     for (const Room& room : scene_.rooms) add_floor(room);
     for (const Opening& opening : scene_.openings) add_doorway(opening);
@@ -61,8 +67,22 @@ class Exporter {
     const Room* room = nullptr;
   };
 
-  int add(const std::string& class_name, const std::string& group, const std::string& prefab, const Bounds& bounds) {
-    const int id = static_cast<int>(nodes_.size()) + 1;
+  /// The number of a node in the graph that the home was imported from; 0 for what was not.
+  static int own_number(const Node& node) {
+    const auto own = own_id_of(node, Simulator::Virtualhome);
+    return own ? std::stoi(*own) : 0;
+  }
+
+  int fresh_number() {
+    do ++last_number_;
+    while (own_numbers_.contains(last_number_));
+    return last_number_;
+  }
+
+  /// `id`: the node's number; 0 for a new one.
+  int add(const std::string& class_name, const std::string& group, const std::string& prefab, const Bounds& bounds,
+          int id = 0) {
+    if (id == 0) id = fresh_number();
     const Vec3 centre = (bounds.low + bounds.high) / 2, extents = bounds.high - bounds.low;
     nodes_.push_back({{"id", id},
                       {"class_name", class_name},
@@ -146,7 +166,7 @@ class Exporter {
     if (model == nullptr) model = nearest_model(knowledge_, node);
     const Bounds bounds = bounds_of(node.pose, node.size);
     const std::string prefab = model != nullptr ? model->name : node.asset;
-    const int id = add(node.category, virtualhome_group(*category, knowledge_), prefab, bounds);
+    const int id = add(node.category, virtualhome_group(*category, knowledge_), prefab, bounds, own_number(node));
     const Vec3 scale = node.size.cwiseQuotient(model != nullptr ? model->size : category->size);
     transform(bounds, object_rotation_to_unity(node.pose.rotation, prefab), scale_to_unity(scale, prefab));
     Json& json = nodes_.back();
@@ -251,6 +271,8 @@ class Exporter {
   std::vector<Json> nodes_, edges_;
   std::map<std::string, int, std::less<>> ids_;  // of rooms and nodes
   std::vector<Placed> floors_, placed_;
+  std::set<int> own_numbers_;  // of nodes, in the graph that the home was imported from
+  int last_number_ = 0;
   int agent_ = 0;
   std::vector<std::string> left_out_;
   std::map<std::string, std::string> names_;

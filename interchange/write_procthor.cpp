@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include <nlohmann/json.hpp>
 
@@ -11,6 +12,7 @@
 #include "interchange/house_names.h"
 #include "interchange/house_plan.h"
 #include "interchange/model_choice.h"
+#include "interchange/own_ids.h"
 #include "interchange/unity.h"
 #include "simulation/shape.h"
 
@@ -33,6 +35,7 @@ class HouseWriter {
       : scene_(scene), knowledge_(knowledge), facts_(facts), parts_(wall_parts(scene)) {}
 
   ExportedScene write() {
+    for (const Node& node : scene_.nodes) own_ids_.insert(node.id);
     find_holders();
     Json windows = Json::array();
     Json objects = objects_of_house(windows);
@@ -236,7 +239,7 @@ class HouseWriter {
     pose.rotation = pose.rotation * chosen.turn;
     pose.position.z() += bounds_of(Pose{Vec3::Zero(), pose.rotation}, model->size).high.z() -
                          bounds_of(Pose{Vec3::Zero(), node.pose.rotation}, node.size).high.z();
-    Json json{{"id", node.category + "|" + std::to_string(in + 2) + "|" + std::to_string(numbers_[in]++)},
+    Json json{{"id", id_of(node, in)},
               {"position", house_xyz(to_unity(pose.position))},
               {"rotation", house_xyz(rotation_to_unity(pose.rotation), 1000)},
               {"assetId", model->name},
@@ -252,6 +255,16 @@ class HouseWriter {
     if (node.states.has(Predicate::Dirty)) json["isDirty"] = true;
     if (node.states.has(Predicate::PowerOn)) json["isOn"] = true;
     return json;
+  }
+
+  /// The id that the object has in a house of ProcTHOR; for others a new one, as ProcTHOR makes them.
+  std::string id_of(const Node& node, std::size_t room) {
+    if (auto own = own_id_of(node, Simulator::Ai2thor)) return *own;
+    const std::string stem = node.category + "|" + std::to_string(room + 2) + "|";
+    std::string id;
+    do id = stem + std::to_string(numbers_[room]++);
+    while (own_ids_.contains(id));
+    return id;
   }
 
   void add_window(const Node& node, const Asset& model, Json& windows) {
@@ -281,6 +294,7 @@ class HouseWriter {
   std::vector<WallPart> parts_;
   std::vector<std::size_t> missing_;                // parts of walls that are not there
   std::vector<std::optional<std::size_t>> holder_;  // of each node
+  std::set<std::string, std::less<>> own_ids_;      // of all nodes, some of which are AI2-THOR's own
   std::map<std::size_t, int> numbers_;              // objects of each room so far
   std::map<std::string, int> door_ids_;
   std::vector<std::string> left_out_;

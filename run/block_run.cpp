@@ -1,6 +1,8 @@
 #include "run/block_run.h"
 
 #include <algorithm>
+#include <utility>
+#include <variant>
 
 #include "core/files.h"
 #include "generator/rejection.h"
@@ -83,6 +85,16 @@ void BlockRun::try_plan(const CandidatePlan& plan) {
   const auto made = make_task(configuration_, resources_, layouts_, slot, plan, planner_.counts(), &costs);
   StageTimer timer(&costs, Stage::Writing);
   auto record = record_of(made);
+  if (const auto* task = std::get_if<Task>(&made); task != nullptr && callbacks_.not_native) {
+    const auto& specification = task->episode.specification;
+    if (auto why = callbacks_.not_native(*task, record.task); !why.empty())
+      record = record_of(RejectedCandidate{{RejectionReason::GateSimulator, std::move(why)},
+                                           specification.template_name,
+                                           specification.simulator,
+                                           specification.split,
+                                           task->slot,
+                                           task->attempt});
+  }
   timer.enter(Stage::Ledger);
   add_to_ledger(std::move(record), costs);
   timer.stop();

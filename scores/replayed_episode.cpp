@@ -145,8 +145,9 @@ void EpisodeFollower::look(const AnsweredAction& next, const Environment& now) {
 void EpisodeFollower::acted(const StepResult& result, const Environment& now) {
   for (const ExecutedAction& executed : result.executed) {
     ReplayedAction action;
-    action.record = {executed.command, executed.outcome.success, std::string(name_of(executed.outcome.failure)),
-                     executed.outcome.feedback, executed.counted};
+    action.record = {
+        executed.command,          executed.outcome.success, std::string(name_of(executed.outcome.failure)),
+        executed.outcome.feedback, executed.counted,         executed.simulator};
     name_object(action, state_->seen, now);
     state_->monitors.read(executed.changes, now);
     action.progress = now.progress();
@@ -178,6 +179,31 @@ ReplayedEpisode EpisodeFollower::finish(const Environment& last) && {
 
 namespace {
 
+/// Says again what a simulator said in an episode.
+class RecordedSimulator : public ActingSimulator {
+ public:
+  explicit RecordedSimulator(const EpisodeRecord& record) {
+    for (const EpisodeStep& step : record.steps) {
+      for (const EpisodeAction& action : step.actions) {
+        if (action.simulator) answers_.push_back(*action.simulator);
+      }
+    }
+  }
+  bool empty() const { return answers_.empty(); }
+  Result<Done> begin(const EnvironmentTask&) override {
+    next_ = 0;
+    return Done{};
+  }
+  Result<SimulatorAnswer> act(const Action& action, const Scene&) override {
+    if (next_ < answers_.size()) return answers_[next_++];
+    return Error{Error::Kind::Schema, "", {}, "the record does not have what the simulator said of " + to_text(action)};
+  }
+
+ private:
+  std::vector<SimulatorAnswer> answers_;
+  std::size_t next_ = 0;
+};
+
 /// One reply, each of its actions for itself.
 void execute(const std::string& reply, Environment& environment, EpisodeFollower& follower) {
   follower.begin_reply(environment);
@@ -203,7 +229,8 @@ void execute(const std::string& reply, Environment& environment, EpisodeFollower
 
 Result<ReplayedEpisode> replay_episode(const EpisodeRecord& record, const SharedTask& task, const Settings& settings,
                                        const WatchEpisode& watch) {
-  auto environment = Environment::make(task, settings);
+  auto recorded = std::make_shared<RecordedSimulator>(record);
+  auto environment = Environment::make(task, settings, recorded->empty() ? nullptr : SharedSimulator(recorded));
   if (!environment) return environment.error();
   EpisodeFollower follower(*environment, static_cast<bool>(watch));
   std::size_t done = 0;

@@ -72,7 +72,8 @@ class EpisodeFollower {
 /// Called before each reply, and once after the last, with the environment as it is then; for pictures.
 using WatchEpisode = std::function<void(std::size_t step, const Environment& environment)>;
 
-/// Does an episode again from its replies. Deterministic. Errors: those of Environment::make.
+/// Does an episode again from its replies, and from what the simulator said where it was acted out in one.
+/// Deterministic. Errors: those of Environment::make.
 Result<ReplayedEpisode> replay_episode(const EpisodeRecord& record, const SharedTask& task, const Settings& settings,
                                        const WatchEpisode& watch = {});
 

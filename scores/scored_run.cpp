@@ -136,6 +136,14 @@ struct Scorer {
                    std::string(kEpisodesFile) + "#/mode",
                    {line, 0},
                    "the manifest has no settings of this mode"};
+    const bool in_simulator = std::any_of(record.steps.begin(), record.steps.end(), [](const EpisodeStep& step) {
+      return std::any_of(step.actions.begin(), step.actions.end(), [](const auto& one) { return one.simulator; });
+    });
+    if (in_simulator && manifest.setup.backend == "unietp")
+      return Error{Error::Kind::Schema,
+                   std::string(kEpisodesFile) + "#/steps",
+                   {line, 0},
+                   "has what a simulator said, but the manifest's backend is unietp"};
     EpisodePictures pictures;
     WatchEpisode look;
     if (pictured)

@@ -22,6 +22,16 @@ EpisodeRecord sample_episode() {
   EpisodeStep third;
   third.reply = "stop";
   third.actions = {{{"stop", {}}, true, "none", "", true}};
+  Delta moved;
+  moved.edges_added = {{Predicate::On, "mug_1", "table_1"}};
+  moved.edges_removed = {{Predicate::InRoom, "mug_1", "kitchen_1"}};
+  first.actions.front().simulator = SimulatorAnswer{true, "", moved};
+  first.actions.push_back({{"open", {{"fridge_1", std::nullopt}}},
+                           false,
+                           "not_offered",
+                           "The simulator refuses: locked",
+                           true,
+                           SimulatorAnswer{false, "locked", {}}});
   third.progress = 1;
   EpisodeRecord episode;
   episode.key = {"ai2thor-00001", Mode::M2, 3};

@@ -3,6 +3,7 @@
 #include "evaluation/evaluation_manifest.h"
 #include "evaluation/program_policy.h"
 #include "evaluation/prompt_slots.h"
+#include "evaluation/simulator_program.h"
 #include "fuzz_bodies.h"
 #include "llm/chat_reply.h"
 #include "llm/chat_request.h"
@@ -30,7 +31,8 @@ bool episode_body(std::string_view text) {
   const bool timing = reads_back<TimingRecord>(&read_timing, &timing_line, text);
   const bool reply = reads_back<LoggedReply>(&read_logged_reply, &reply_line, text);
   const bool score = reads_back<EpisodeScore>(&read_score, &score_line, text);
-  const bool answer = check_result(read_policy_answer(text, 1));
+  const bool answer =
+      check_result(read_policy_answer(text, 1)) || check_result(read_simulator_answer(text, 1, Scene()));
   return episode || timing || reply || score || answer;
 }
 

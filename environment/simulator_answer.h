@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "scene/trace.h"
+
+namespace unietp {
+
+/// What a simulator says of an action.
+struct SimulatorAnswer {
+  bool success = false;
+  std::string message;  // why not; "" with success
+  Delta changes;        // of its own state, in our scene graph
+  bool operator==(const SimulatorAnswer&) const = default;
+};
+
+}  // namespace unietp

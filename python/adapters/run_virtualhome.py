@@ -1,0 +1,192 @@
+"""VirtualHome's evolving-graph simulator (PyPI `virtualhome`, written against 2.3.0) as a backend of `unietp evaluate`.
+
+    unietp evaluate out/mine --backend virtualhome --policy replay --out out/there
+
+It reads lines of JSON-RPC 2.0 from standard input and answers each with one on standard output:
+
+    begin {"task": ID, "folder": PATH, "rooms": [ID, ...]}    a task of `unietp export --format virtualhome`; rooms in order
+    act   {"action": "pick_up", "args": ["plate_1"]}          an action of ours
+
+`act` answers with `success`, the simulator's `message` when it fails, and what changed of the simulator's state, in our
+words: `states` (all states now of each object whose states changed), `edges_added` and `edges_removed` (relation, from, to), and
+`held` where that changed. `Episode` is the same for programs in Python.
+"""
+
+import importlib
+import importlib.util
+import json
+import sys
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+Json = dict[str, Any]
+Edge = tuple[str, str, str]
+
+WORDS = {
+    "go_to": "Walk", "turn_to": "TurnTo", "pick_up": "Grab", "place_on": "PutBack", "place_in": "PutIn", "open": "Open",
+    "close": "Close", "turn_on": "SwitchOn", "turn_off": "SwitchOff", "sit_on": "Sit", "lie_on": "Lie",
+    "stand_up": "StandUp", "plug_in": "PlugIn", "unplug": "PlugOut", "read": "Read",
+}
+HEADS = ("turn_left", "turn_right", "look_up", "look_down", "turn_base_to_look", "reset_head")  # a graph has no view
+STATES = {
+    "OPEN": "open", "CLOSED": "closed", "ON": "power_on", "OFF": "power_off", "CLEAN": "clean", "DIRTY": "dirty",
+    "PLUGGED_IN": "plugged_in", "PLUGGED_OUT": "unplugged",
+}
+HANDS = ("HOLDS_RH", "HOLDS_LH")
+
+
+def load_simulator() -> Any:
+    """The modules of the graph. The package's own start needs Unity, so they are imported without it."""
+    spec = importlib.util.find_spec("virtualhome")
+    if spec is None or not spec.submodule_search_locations:
+        raise RuntimeError("the package virtualhome is not installed: pip install virtualhome==2.3.0")
+    folder = str(Path(spec.submodule_search_locations[0]) / "simulation")
+    if folder not in sys.path:
+        sys.path.append(folder)
+    environment, execution, scripts = (
+        importlib.import_module(f"evolving_graph.{name}") for name in ("environment", "execution", "scripts")
+    )
+    return SimpleNamespace(
+        Graph=environment.EnvironmentGraph, State=environment.EnvironmentState, Executor=execution.ScriptExecutor,
+        script=scripts.read_script_from_list_string,
+    )
+
+
+class Facts:
+    """What a graph says, in our words."""
+
+    def __init__(self, graph: Json, ids: dict[int, str], rooms: dict[int, str]):
+        """`ids`, `rooms`: ours, by the numbers of their nodes."""
+        kind = {node["id"]: node["category"] for node in graph["nodes"]}
+        agent = next(node["id"] for node in graph["nodes"] if node["class_name"] == "character")
+        below: dict[int, list[tuple[str, int]]] = {}  # of each thing those that it is on or in
+        room_of: dict[int, int] = {}
+        self.held: list[str] = []
+        held: set[int] = set()
+        for edge in graph["edges"]:
+            start, relation, end = edge["from_id"], edge["relation_type"], edge["to_id"]
+            if relation in HANDS and end in ids:
+                self.held.append(ids[end])
+                held.add(end)
+            elif relation == "INSIDE" and kind[end] == "Rooms":
+                room_of[start] = end
+            elif relation in ("ON", "INSIDE") and (end in ids or kind[end] == "Floor") and start != agent:
+                below.setdefault(start, []).append(("on" if relation == "ON" else "inside", end))
+        self.states = {
+            ids[node["id"]]: sorted(STATES[word] for word in node["states"] if word in STATES)
+            for node in graph["nodes"]
+            if node["id"] in ids
+        }
+        self.edges: set[Edge] = set()
+        for thing, name in ids.items():
+            for relation, place in below.get(thing, []) if thing not in held else []:
+                if place in ids:
+                    self.edges.add((relation, name, ids[place]))
+                elif room_of.get(place) in rooms:
+                    self.edges.add(("on_floor", name, rooms[room_of[place]]))
+            bottom, seen = thing, {thing}  # whose room it is in; what is in the hand is in none
+            while bottom not in held:
+                further = [place for _, place in below.get(bottom, []) if place in ids and place not in seen]
+                if not further:
+                    break
+                bottom = further[0]
+                seen.add(bottom)
+            if bottom not in held and room_of.get(bottom) in rooms:
+                self.edges.add(("in_room", name, rooms[room_of[bottom]]))
+        if room_of.get(agent) in rooms:
+            self.edges.add(("in_room", "agent", rooms[room_of[agent]]))
+
+    def changes_to(self, now: "Facts") -> Json:
+        changed = {name: states for name, states in now.states.items() if states != self.states.get(name)}
+        answer: Json = {
+            "states": changed,
+            "edges_added": sorted(now.edges - self.edges),
+            "edges_removed": sorted(self.edges - now.edges),
+        }
+        return answer if now.held == self.held else answer | {"held": now.held}
+
+
+class Episode:
+    """One task in the simulator."""
+
+    def __init__(self, folder: Path, task: str, rooms: list[str], simulator: Any = None):
+        self.simulator = load_simulator() if simulator is None else simulator
+        graph: Json = json.loads((folder / f"{task}.json").read_text())
+        self.names: dict[str, str] = json.loads((folder / f"{task}.names.json").read_text())
+        self.ids = {int(name.rsplit("_", 1)[1]): ours for ours, name in self.names.items()}
+        numbers = [node["id"] for node in graph["nodes"] if node["category"] == "Rooms"]
+        if len(numbers) != len(rooms):
+            raise ValueError(f"{task}.json has {len(numbers)} rooms, the task {len(rooms)}")
+        self.rooms = dict(zip(numbers, rooms, strict=True))
+        self.room_names = {
+            self.rooms[node["id"]]: f"{node['class_name']}_{node['id']}" for node in graph["nodes"] if node["id"] in self.rooms
+        }
+        self.state = self.simulator.State(self.simulator.Graph(graph), {}, instance_selection=True)
+        self.facts = Facts(self.state.to_dict(), self.ids, self.rooms)
+        self.walked_to = ""  # the last that the agent walked to
+
+    def act(self, action: str, args: list[str]) -> Json:
+        """Executes an action; a walk to its object and the plug of a device come before it, as in exported programs."""
+        if action in HEADS:
+            return self._answer(True, "")
+        if action not in WORDS:
+            return self._answer(False, f"VirtualHome's graph has no {action}")
+        lines, before = self._lines(action, args), self.state
+        for line in lines:
+            executor = self.simulator.Executor(self.simulator.Graph(before.to_dict()), {})
+            done, state = executor.execute_one_step(self.simulator.script([line]), self.state)
+            if not done:
+                self.state = before
+                return self._answer(False, executor.info.get_error_string().strip() or f"{line} cannot be executed")
+            self.state = state
+        if any(line.startswith("[Walk]") for line in lines):
+            self.walked_to = args[-1]
+        return self._answer(True, "")
+
+    def _lines(self, action: str, args: list[str]) -> list[str]:
+        lines = []
+        target = args[-1] if args else ""
+        if target and action != "go_to" and target != self.walked_to and target not in self.facts.held:
+            lines.append(self._line("Walk", [target]))
+        if action == "turn_on" and "unplugged" in self.facts.states.get(target, []):
+            lines.append(self._line("PlugIn", [target]))
+        held = self.facts.held[:1] if action in ("place_on", "place_in") else []
+        return [*lines, self._line(WORDS[action], [*held, *args])]
+
+    def _line(self, word: str, objects: list[str]) -> str:
+        parts = [self.names.get(one) or self.room_names[one] for one in objects]
+        return " ".join([f"[{word}]", *(f"<{part.rsplit('_', 1)[0]}> ({part.rsplit('_', 1)[1]})" for part in parts)])
+
+    def _answer(self, success: bool, message: str) -> Json:
+        now = Facts(self.state.to_dict(), self.ids, self.rooms) if success else self.facts
+        answer = {"success": success, "message": " ".join(message.split()), **self.facts.changes_to(now)}
+        self.facts = now
+        return answer
+
+
+def serve() -> None:
+    """Answers calls until the input ends."""
+    episode: Episode | None = None
+    out, sys.stdout = sys.stdout, sys.stderr  # the package prints
+    simulator = load_simulator()
+    for line in sys.stdin:
+        call = json.loads(line)
+        answer: Json = {"jsonrpc": "2.0", "id": call["id"]}
+        try:
+            params = call["params"]
+            if call["method"] == "begin":
+                episode = Episode(Path(params["folder"]), params["task"], params["rooms"], simulator)
+                answer["result"] = {}
+            elif episode is None:
+                raise ValueError("no episode has begun")
+            else:
+                answer["result"] = episode.act(params["action"], params["args"])
+        except Exception as error:  # the caller records why
+            answer["error"] = {"code": -32000, "message": f"{type(error).__name__}: {error}"}
+        out.write(json.dumps(answer) + "\n")
+        out.flush()
+
+
+if __name__ == "__main__":
+    serve()

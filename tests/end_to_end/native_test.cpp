@@ -1,0 +1,84 @@
+// Tasks in the simulators' own scenes: made from their files, with their ids, and all of them expressed in their forms.
+#include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "core/files.h"
+#include "core/text.h"
+#include "data_set.h"
+#include "program.h"
+
+namespace unietp {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using Json = nlohmann::ordered_json;
+
+const fs::path kHomes = fs::path(UNIETP_SOURCE_DIR) / "tests" / "end_to_end" / "homes";
+
+struct NativeSample {
+  std::string simulator, file;
+  std::string form;              // that expresses the tasks
+  std::vector<std::string> ids;  // of some of the file's objects
+};
+std::string name_of_sample(const ::testing::TestParamInfo<NativeSample>& info) { return info.param.simulator; }
+
+Ended make_native(const std::string& scenes, const std::string& out, int count) {
+  return run_program({"generate", "--native", "--scenes", scenes, "--count", std::to_string(count), "--seed", "3",
+                      "--splits", "atomic,compositional", "--out", out});
+}
+
+/// Ids of all objects in the homes of a data set.
+std::set<std::string> ids_in(const fs::path& dataset) {
+  std::set<std::string> ids;
+  for (const auto& file : fs::directory_iterator(dataset / "homes")) {
+    const auto text = read_maybe_gzip(file.path());
+    EXPECT_TRUE(text);
+    for (const auto& node : Json::parse(*text)["nodes"]) ids.insert(node["id"].get<std::string>());
+  }
+  return ids;
+}
+
+class Native : public ::testing::TestWithParam<NativeSample> {};
+
+TEST_P(Native, TasksAreInTheSimulatorsOwnSceneAndItsFormExpressesThem) {
+  const auto& sample = GetParam();
+  const ScratchFolder folder;
+  const auto made = make_native((kHomes / sample.file).string(), folder.at("tasks"), 4);
+  ASSERT_EQ(made.code, 0) << made.out << made.err;
+  const auto verdict = validate(folder.at("tasks"));
+  EXPECT_EQ(verdict.code, 0);
+  EXPECT_EQ(verdict.proven, 4);
+  const auto ids = ids_in(folder.at("tasks"));
+  for (const auto& id : sample.ids) EXPECT_TRUE(ids.contains(id)) << id;
+  ASSERT_EQ(run_program({"export", folder.at("tasks"), "--format", sample.form, "--out", folder.at("out")}).code, 0);
+  EXPECT_EQ(read_file(folder.at("out") + "/left_out.jsonl").value(), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    EachSimulator, Native,
+    ::testing::Values(
+        NativeSample{"ai2thor", "houses.procthor.jsonl", "ai2thor", {"Fridge|2|2", "Chair|2|3"}},
+        NativeSample{"virtualhome", "flat.virtualhome.json", "virtualhome", {"mug.20", "plate.21"}},
+        NativeSample{"habitat", "apartment.replicacad.scene_instance.json", "habitat", {"frl_apartment_sofa_:0000"}},
+        NativeSample{"behavior", "small.behavior.json", "behavior", {"bowl_ajzltc_0"}}),
+    name_of_sample);
+
+TEST(Native, WhatIsNoSceneOfASimulatorIsRefused) {
+  const ScratchFolder folder;
+  const auto without = run_program({"generate", "--native", "--count", "1", "--out", folder.at("out")});
+  EXPECT_EQ(without.code, 2);
+  EXPECT_THAT(without.err, HasSubstr("needs --scenes"));
+  ASSERT_EQ(run_program({"scene", "make", "--simulator", "habitat", "--count", "1", "--out", folder.at("homes")}).code,
+            0);
+  const auto ours = make_native(folder.at("homes"), folder.at("out"), 1);
+  EXPECT_EQ(ours.code, 2);
+  EXPECT_THAT(ours.err, HasSubstr("is no scene of a simulator"));
+  EXPECT_FALSE(fs::exists(folder.at("out")));
+}
+
+}  // namespace
+}  // namespace unietp

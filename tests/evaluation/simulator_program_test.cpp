@@ -1,0 +1,71 @@
+// What a simulator's program answers, and programs that answer otherwise.
+#include "evaluation/simulator_program.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace unietp {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+Scene kitchen() {
+  Scene scene;
+  Node fridge;
+  fridge.id = "fridge_1";
+  fridge.category = "fridge";
+  fridge.states.set({Predicate::Closed, ""});
+  fridge.states.set({Predicate::PowerOn, ""});
+  scene.nodes = {fridge};
+  return scene;
+}
+
+std::string answer(const std::string& result) { return R"({"jsonrpc":"2.0","id":7,"result":)" + result + "}"; }
+
+TEST(ASimulatorsAnswer, IsWhatChangedInOurWords) {
+  const auto read =
+      read_simulator_answer(answer(R"({"success":true,"message":"","states":{"fridge_1":["open","power_on"]},
+                 "edges_added":[["on","mug_1","table_1"],["inside","mug_1","fridge_1"]],
+                 "edges_removed":[["in_room","agent","hall_1"]],"held":["mug_1"]})"),
+                            7, kitchen());
+  ASSERT_TRUE(read) << format(read.error());
+  EXPECT_TRUE(read->success);
+  ASSERT_EQ(read->changes.nodes.size(), 1U);
+  EXPECT_TRUE(read->changes.nodes.front().states.has(Predicate::Open));
+  EXPECT_TRUE(read->changes.nodes.front().states.has(Predicate::PowerOn));
+  EXPECT_FALSE(read->changes.nodes.front().states.has(Predicate::Closed));
+  EXPECT_THAT(read->changes.edges_removed, ElementsAre(Edge{Predicate::InRoom, "agent", "hall_1"}));
+  EXPECT_EQ(read->changes.edges_added.size(), 2U);
+  EXPECT_THAT(read->changes.agent->held, ElementsAre("mug_1"));
+}
+
+TEST(ASimulatorsAnswer, ThatIsNoneIsRefusedWithAReason) {
+  const std::string rest = R"(,"message":"","edges_added":[],"edges_removed":[])";
+  for (const auto& [line, why] : {
+           std::pair{std::string("no"), "parse error"},
+           std::pair{answer("{}"), "success"},
+           std::pair{answer(R"({"success":1,"states":{})" + rest + "}"), "true or false"},
+           std::pair{answer(R"({"success":true,"states":{"mug_9":["open"]})" + rest + "}"), "id of an object"},
+           std::pair{answer(R"({"success":true,"states":{"fridge_1":["ajar"]})" + rest + "}"), "names of states"},
+           std::pair{answer(R"({"success":true,"states":{},"message":"","edges_added":[["open","a","b"]],)"
+                            R"("edges_removed":[]})"),
+                     "a relation and two ids"},
+           std::pair{std::string(R"({"jsonrpc":"2.0","id":8,"result":{}})"), "expected 7"},
+           std::pair{std::string(R"({"jsonrpc":"2.0","id":7,"error":{"message":"no graph"}})"), "no graph"},
+       }) {
+    const auto read = read_simulator_answer(line, 7, kitchen());
+    ASSERT_FALSE(read) << line;
+    EXPECT_THAT(format(read.error()), HasSubstr(why));
+  }
+}
+
+TEST(ASimulatorsProgram, ThatIsUnknownIsRefused) {
+  const auto refused = simulator_command("virtualhom");
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(format(refused.error()), HasSubstr("virtualhome"));
+  EXPECT_TRUE(simulator_command("virtualhome"));
+}
+
+}  // namespace
+}  // namespace unietp
