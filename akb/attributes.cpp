@@ -36,12 +36,6 @@ bool told_apart(std::string_view one, std::string_view other) {
          });
 }
 
-std::vector<std::string> values_of(const Category& category) {
-  auto values = category.colours;
-  values.insert(values.end(), category.materials.begin(), category.materials.end());
-  return values;
-}
-
 bool comes_in_sizes(const Category& category, const Knowledge& knowledge) {
   // Nobody tells compact discs, keys or phones apart by their size, whatever their models.
   constexpr std::array<std::string_view, 7> kOneSize{"game",   "pocket_thing", "phone",

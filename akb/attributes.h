@@ -13,9 +13,6 @@ namespace unietp {
 /// colour terms, materials that surfaces do not tell.
 bool told_apart(std::string_view one, std::string_view other);
 
-/// The category's own colours and materials, in table order.
-std::vector<std::string> values_of(const Category& category);
-
 /// Whether one thing of the category may be so much larger than another that it is clearly so (kClearlyLarger of
 /// scene/size_and_nearness.h): by its usable models, or, where it has none, by scaling its typical box within what
 /// `usable` allows.

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "simulation/relations.h"
-
 namespace unietp {
 namespace {
 
@@ -49,13 +47,6 @@ void presume(Node& node, const SearchNeeds& needs) {
 }
 
 }  // namespace
-
-KnownStart read_relations_of(Scene& scene) {
-  KnownStart known{.physics = physics_of(scene)};
-  known.links = LinkTable(scene, known.physics);
-  scene.edges = known.links->edges(scene);
-  return known;
-}
 
 Belief::Belief(const Scene& told, const SearchNeeds& needs, std::set<std::string> relevant)
     : scene_(told), relevant_(std::move(relevant)) {

@@ -10,7 +10,6 @@
 #include "scene/node_index.h"
 #include "scene/scene.h"
 #include "scene/trace.h"
-#include "simulation/known_start.h"
 
 namespace unietp {
 
@@ -52,8 +51,5 @@ class Belief {
   std::string last_news_;
   std::vector<std::string> moved_;
 };
-
-/// Gives a believed scene its relations.
-KnownStart read_relations_of(Scene& scene);
 
 }  // namespace unietp

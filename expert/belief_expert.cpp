@@ -11,6 +11,7 @@
 #include "expert/execution.h"
 #include "expert/search_order.h"
 #include "expert/search_tools.h"
+#include "expert/told_home.h"
 
 namespace unietp {
 namespace {
@@ -173,7 +174,7 @@ class BeliefExpert {
   bool make_plan() {
     planned_at_ = belief_.news();
     auto scene = std::make_unique<Scene>(believed_before());
-    KnownStart known = read_relations_of(*scene);
+    KnownStart known = told_home().of(*scene);
     auto made = ExecutionTree::of(problem_.goal, *scene, problem_.knowledge, problem_.profile, std::move(known));
     if (!made) return false;
     auto tree = std::make_unique<ExecutionTree>(std::move(*made));
@@ -346,10 +347,14 @@ class BeliefExpert {
     return planned_at_ != belief_.news() && missing().empty() && overlooked(kMostThoroughSteps).empty();
   }
 
+  ToldHome& told_home() {
+    if (!told_home_) told_home_ = std::make_unique<ToldHome>(window_.told(), problem_.profile);
+    return *told_home_;
+  }
   /// The home as it was told, to see where one can stand and what can be opened.
   const World* told_world() {
     if (!told_world_) {
-      auto world = World::create(window_.told(), problem_.knowledge, problem_.profile);
+      auto world = World::create(window_.told(), problem_.knowledge, problem_.profile, told_home().start());
       if (!world) return nullptr;
       told_world_ = std::make_unique<World>(std::move(*world));
     }
@@ -457,6 +462,7 @@ class BeliefExpert {
   std::set<std::string, std::less<>> touched_;     // what that changed
   std::set<std::string, std::less<>> looked_for_;  // furniture that was turned to before it was used
 
+  std::unique_ptr<ToldHome> told_home_;
   std::unique_ptr<World> told_world_;
 
   std::string at_;  // the place that it looked at last

@@ -54,28 +54,19 @@ std::variant<std::vector<Action>, Rejection> plan_of_who_knows(Mode mode, Execut
   return find_plan(executions, options);
 }
 
-/// What was done by belief, with `stop`; or why it is no demonstration.
-std::variant<std::vector<Action>, Trouble> done_by_belief(ExecutionTree& executions, const Household* usual) {
-  EpisodeWindow window(executions);
-  const SearchProblem problem{executions.goal(), executions.knowledge(), executions.profile(), usual};
-  if (auto why = reach_by_belief(problem, window)) return std::move(*why);
-  if (!window.reaches_goal()) return Trouble{"done by what was seen, it does not reach the goal"};
-  return window.done();
-}
-
 /// What was done by one who knows where everything is, with `stop`, but for what can be left out.
-std::variant<std::vector<Action>, Trouble> done_by_knowledge(Mode mode, ExecutionTree& executions,
-                                                             std::vector<Action> plan, const ExpertOptions& options) {
+std::variant<std::vector<Action>, Rejection> act_by_knowledge(Mode mode, ExecutionTree& executions,
+                                                              std::vector<Action> plan, const ExpertOptions& options) {
   constexpr std::size_t kLongestRun = 3;
   const ModeRules rules = rules_of(mode);
   auto explored = explore(rules, executions, std::move(plan), options);
-  if (auto* why = std::get_if<Trouble>(&explored)) return std::move(*why);
+  if (auto* why = std::get_if<Trouble>(&explored)) return Rejection{not_in(mode), std::move(why->text), why->failure};
   auto& done = std::get<std::vector<Action>>(explored);
   done.push_back({ActionType::Stop, {}});
   auto actions = without_needless(executions, rules, std::move(done), kLongestRun);
-  if (!actions) return Trouble{"done so, it does not reach the goal"};
+  if (!actions) return Rejection{not_in(mode), "done so, it does not reach the goal"};
   if (static_cast<int>(actions->size()) > rules.limits.steps)
-    return Trouble{"needs " + std::to_string(actions->size()) + " steps"};
+    return Rejection{not_in(mode), "needs " + std::to_string(actions->size()) + " steps"};
   return std::move(*actions);
 }
 
@@ -90,25 +81,33 @@ std::optional<Rejection> ruled_out_in(Mode mode, const Formula& goal) {
                    Failure::NotOffered};
 }
 
+std::variant<std::vector<Action>, Rejection> act_by_belief(ExecutionTree& executions, const Household* usual) {
+  const auto rejected = [](Trouble why) { return Rejection{not_in(Mode::M2), std::move(why.text), why.failure}; };
+  EpisodeWindow window(executions);
+  const SearchProblem problem{executions.goal(), executions.knowledge(), executions.profile(), usual};
+  if (auto why = reach_by_belief(problem, window)) return rejected(std::move(*why));
+  if (!window.reaches_goal()) return rejected({"done by what was seen, it does not reach the goal"});
+  return window.done();
+}
+
 std::variant<Demonstration, Rejection> demonstrate_in(Mode mode, ExecutionTree& executions, const Demonstration& shown,
-                                                      const Household* usual) {
-  const auto rejected = [mode](std::string why, Failure failure = Failure::None) {
-    return Rejection{not_in(mode), std::move(why), failure};
-  };
+                                                      const Household* usual, std::vector<Action> done) {
   const StepLimits limits = rules_of(mode).limits;
   const ExpertOptions options{.max_steps = limits.steps, .max_failures = limits.failures, .mode = mode};
   auto known = plan_of_who_knows(mode, executions, shown, options);
   if (const auto* why = std::get_if<Rejection>(&known))
-    return rejected(std::string(name_of(why->reason)) + ": " + why->detail, why->failure);
+    return Rejection{not_in(mode), std::string(name_of(why->reason)) + ": " + why->detail, why->failure};
   auto& shortest = std::get<std::vector<Action>>(known);
-  auto done =
-      mode == Mode::M2 ? done_by_belief(executions, usual) : done_by_knowledge(mode, executions, shortest, options);
-  if (auto* why = std::get_if<Trouble>(&done)) return rejected(std::move(why->text), why->failure);
-  auto& actions = std::get<std::vector<Action>>(done);
-  Demonstration demonstration = record(executions, mode, actions);
+  if (done.empty()) {
+    auto acted =
+        mode == Mode::M2 ? act_by_belief(executions, usual) : act_by_knowledge(mode, executions, shortest, options);
+    if (auto* why = std::get_if<Rejection>(&acted)) return std::move(*why);
+    done = std::move(std::get<std::vector<Action>>(acted));
+  }
+  Demonstration demonstration = record(executions, mode, done);
   mark_search(executions, demonstration);
-  if (shortest.size() > actions.size()) {
-    auto needed = without_needless(executions, rules_of(Mode::M1), std::move(actions), 1);
+  if (shortest.size() > done.size()) {
+    auto needed = without_needless(executions, rules_of(Mode::M1), std::move(done), 1);
     if (needed) shortest = std::move(*needed);
   }
   demonstration.shortest = std::move(shortest);

@@ -115,8 +115,9 @@ class FootingSearch {
     const Pose* easiest = nullptr;
     double least = std::numeric_limits<double>::infinity();
     for (const Pose& spot : spots_) {
-      if (arm_length(spot.position, agent.position, profile) > profile.reach_m) continue;
-      const double one = effort(spot.position, agent.position, profile);
+      const double arm = arm_length(spot.position, agent.position, profile);
+      if (arm > profile.reach_m) continue;
+      const double one = effort(spot.position, arm);
       if (one >= least) continue;
       least = one;
       easiest = &spot;

@@ -56,7 +56,7 @@ SearchOrder::Place* SearchOrder::find(const std::string& id) {
   return found == place_of_.end() ? nullptr : &places_[found->second];
 }
 
-SearchOrder::Chance SearchOrder::chance(const SearchTarget& target, const Place& place, const Belief& belief) const {
+SearchOrder::Chance SearchOrder::chance(const SearchTarget& target, const Place& place) const {
   const bool fits = target.rooms.empty() || holds(target.rooms, place.room_type);
   const double suits = usual_ == nullptr ? 1 : usual_->in_room(target.category, place.room_type);
   if (place.category.empty()) {
@@ -64,7 +64,6 @@ SearchOrder::Chance SearchOrder::chance(const SearchTarget& target, const Place&
     const double lies = usual_ == nullptr ? 0 : kLiesAbout * usual_->on_floor(target.category);
     return {(kOnFloor + lies) * (fits ? 1 : kElsewhere) * (target.places.empty() ? suits : kElsewhere), 0};
   }
-  if (place.category == target.category && !belief.has_seen(place.id)) return {1, 0};
   const auto number = static_cast<double>(of_category_.find(place.category)->second);
   const auto of = [&](Predicate relation) {
     const Placement* known = knowledge_.placement(target.category, relation, place.category);
@@ -87,6 +86,20 @@ SearchOrder::Chance SearchOrder::chance(const SearchTarget& target, const Place&
     factor *= kElsewhere;
   }
   return {chance.on * factor, chance.inside * factor};
+}
+
+const SearchOrder::Chances& SearchOrder::chances(const SearchTarget& target) const {
+  const auto known =
+      std::find_if(chances_.begin(), chances_.end(), [&](const Chances& chances) { return chances.target == target; });
+  if (known != chances_.end()) return *known;
+  Chances& made = chances_.emplace_back(Chances{target, {}});
+  for (const Place& place : places_) made.at.push_back(chance(target, place));
+  return made;
+}
+
+SearchOrder::Chance SearchOrder::chance(const Chances& chances, std::size_t place, const Belief& belief) const {
+  if (places_[place].category == chances.target.category && !belief.has_seen(places_[place].id)) return {1, 0};
+  return chances.at[place];
 }
 
 bool SearchOrder::is_shut(const Place& place, const Belief& belief) {
@@ -122,10 +135,13 @@ std::optional<SearchOrder::Look> SearchOrder::next(const std::vector<SearchTarge
     most = gain / cost;
     best = Look{place.id, opens, place.looks, place.category.empty(), from_here};
   };
-  for (const Place& place : places_) {
+  std::vector<const Chances*> sought;
+  for (const SearchTarget& target : targets) sought.push_back(&chances(target));
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    const Place& place = places_[i];
     Chance all;
-    for (const SearchTarget& target : targets) {
-      const Chance one = chance(target, place, belief);
+    for (const Chances* target : sought) {
+      const Chance one = chance(*target, i, belief);
       all.on += one.on;
       all.inside += one.inside;
     }
@@ -212,8 +228,10 @@ void SearchOrder::keep_shut(const std::string& id) {
 
 double SearchOrder::unseen_share(const SearchTarget& target, const Belief& belief) const {
   double all = 0, unseen = 0;
-  for (const Place& place : places_) {
-    const Chance before = chance(target, place, belief);
+  const Chances& sought = chances(target);
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    const Place& place = places_[i];
+    const Chance before = chance(sought, i, belief);
     all += before.on + before.inside;
     unseen += before.on * left_on(place, place.looks) +
               before.inside * left_inside(place, is_shut(place, belief), place.looks_inside);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <functional>
 #include <map>
 #include <optional>
@@ -20,6 +21,8 @@ struct SearchTarget {
   std::vector<std::string> places = {}, rooms = {};  // as in SearchNeed
   bool floor = false;
   std::vector<std::string> near = {};
+
+  bool operator==(const SearchTarget&) const = default;
 };
 
 /// Their categories, for people.
@@ -78,7 +81,15 @@ class SearchOrder {
   struct Chance {
     double on = 0, inside = 0;
   };
-  Chance chance(const SearchTarget& target, const Place& place, const Belief& belief) const;
+  Chance chance(const SearchTarget& target, const Place& place) const;
+  /// That chance at each of the places, which is worked out once for a target.
+  struct Chances {
+    SearchTarget target;
+    std::vector<Chance> at;  // by place, but for those that are such a thing themselves
+  };
+  const Chances& chances(const SearchTarget& target) const;
+  /// With what has been seen: a piece of furniture that is looked for itself.
+  Chance chance(const Chances& chances, std::size_t place, const Belief& belief) const;
   static double left_on(const Place& place, int looks);
   /// `shut`: it is closed now; what was seen in it before still counts.
   double left_inside(const Place& place, bool shut, int looks) const;
@@ -92,6 +103,7 @@ class SearchOrder {
   std::vector<Place> places_;
   std::map<std::string, std::size_t, std::less<>> place_of_;
   std::map<std::string, int, std::less<>> of_category_;  // how many pieces
+  mutable std::deque<Chances> chances_;                  // of all targets so far
 };
 
 }  // namespace unietp

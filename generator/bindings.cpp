@@ -93,10 +93,9 @@ class BindingSearch {
     for (std::size_t later = binding_.size() + 1; later < source_.parameters.size(); ++later) {
       const auto& parameter = source_.parameters[later];
       if (given_to(parameter) != nullptr) continue;
-      const auto choices = candidates_for(parameter, source_.constraints, binding_, knowledge_, offered_to(parameter));
-      const bool some = std::any_of(choices.begin(), choices.end(),
-                                    [&](const std::string& choice) { return accepted(parameter, choice); });
-      if (!some) return false;
+      const bool none = each_candidate(parameter, source_.constraints, binding_, knowledge_, offered_to(parameter),
+                                       [&](const std::string& choice) { return !accepted(parameter, choice); });
+      if (none) return false;
     }
     return true;
   }

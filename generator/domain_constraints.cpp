@@ -1,6 +1,7 @@
 #include "generator/domain_constraints.h"
 
 #include <algorithm>
+#include <cctype>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -15,53 +16,73 @@ namespace {
 
 using Meaning = ConstraintKind::Meaning;
 
-std::vector<std::string> sorted_unique(std::vector<std::string> names) {
+/// Names in the knowledge base, or in a template.
+using Names = std::vector<std::string_view>;
+
+template <class Name>
+std::vector<Name> sorted_unique(std::vector<Name> names) {
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
   return names;
 }
 
-/// The categories that a place of a constraint stands for: one, or the pieces of `A/slice`.
-std::vector<std::string> meant_by(const std::string& argument, const Binding& binding, const Knowledge& knowledge) {
-  const auto use = placeholder_use(argument);
-  const auto* category = bound_to(binding, use.name);
-  if (category == nullptr) return {};
-  return use.slice ? slices_of(*category, knowledge) : std::vector<std::string>{*category};
+bool is_slice(std::string_view argument) { return argument.ends_with("/slice"); }
+
+/// Whether all categories that a place of a constraint stands for pass the test: one, none when it is not bound, or the
+/// pieces of `A/slice`.
+template <class Test>
+bool all_meant_by(const std::string& argument, const Binding& binding, const Knowledge& knowledge, const Test& test) {
+  if (!is_slice(argument)) {  // by far the most, so nothing is copied
+    const auto* category = bound_to(binding, argument);
+    return category == nullptr || test(*category);
+  }
+  const auto* whole = bound_to(binding, placeholder_use(argument).name);
+  if (whole == nullptr) return true;
+  const auto slices = slices_of(*whole, knowledge);
+  return std::all_of(slices.begin(), slices.end(), test);
+}
+
+/// The first of these categories; "" when there is none.
+std::string first_meant_by(const std::string& argument, const Binding& binding, const Knowledge& knowledge) {
+  std::string first;
+  all_meant_by(argument, binding, knowledge, [&](const std::string& category) {
+    first = category;
+    return false;
+  });
+  return first;
 }
 
 bool placement_holds(const DomainConstraint& constraint, const ConstraintKind& kind, const Binding& binding,
                      const Knowledge& knowledge) {
-  const auto receptacles = meant_by(constraint.arguments[1], binding, knowledge);
-  for (const auto& object : meant_by(constraint.arguments[0], binding, knowledge)) {
-    for (const auto& receptacle : receptacles) {
+  const int capacity = capacity_of(constraint);
+  return all_meant_by(constraint.arguments[0], binding, knowledge, [&](const std::string& object) {
+    return all_meant_by(constraint.arguments[1], binding, knowledge, [&](const std::string& receptacle) {
       const auto* row = knowledge.placement(object, *kind.relation, receptacle);
-      if (row == nullptr || row->capacity < capacity_of(constraint)) return false;
-    }
-  }
-  return true;
+      return row != nullptr && row->capacity >= capacity;
+    });
+  });
 }
 
 bool effect_holds(const DomainConstraint& constraint, const ConstraintKind& kind, const Binding& binding,
                   const Knowledge& knowledge) {
   auto substance = substance_of(constraint);
   if (const auto* bound = bound_to(binding, substance)) substance = *bound;
-  for (const auto& tool : meant_by(constraint.arguments[0], binding, knowledge)) {
-    for (const auto& target : meant_by(constraint.arguments[1], binding, knowledge)) {
-      // A tool may have several effects of one kind, one for each substance.
-      const auto rows = knowledge.effects_of(tool, *kind.treatment);
-      const bool found = std::any_of(rows.begin(), rows.end(), [&](const Effect* row) {
+  return all_meant_by(constraint.arguments[0], binding, knowledge, [&](const std::string& tool) {
+    // A tool may have several effects of one kind, one for each substance.
+    const auto rows = knowledge.effects_of(tool, *kind.treatment);
+    return all_meant_by(constraint.arguments[1], binding, knowledge, [&](const std::string& target) {
+      return std::any_of(rows.begin(), rows.end(), [&](const Effect* row) {
         return row->target == target && (substance.empty() || row->gives == substance);
       });
-      if (!found) return false;
-    }
-  }
-  return true;
+    });
+  });
 }
 
 bool all_distinct(const DomainConstraint& constraint, const Binding& binding) {
   std::vector<const std::string*> seen;
   for (const auto& argument : constraint.arguments) {
-    const auto* category = bound_to(binding, placeholder_use(argument).name);
+    const auto* category =
+        is_slice(argument) ? bound_to(binding, placeholder_use(argument).name) : bound_to(binding, argument);
     if (category == nullptr) continue;
     if (std::any_of(seen.begin(), seen.end(), [&](const std::string* other) { return *other == *category; }))
       return false;
@@ -72,8 +93,8 @@ bool all_distinct(const DomainConstraint& constraint, const Binding& binding) {
 
 /// Categories that one constraint leaves for `placeholder`, read from the table that answers it, when its other place
 /// is bound; nullopt when this constraint does not narrow the choice.
-std::optional<std::vector<std::string>> narrowed(const DomainConstraint& constraint, const std::string& placeholder,
-                                                 const Binding& binding, const Knowledge& knowledge) {
+std::optional<Names> narrowed(const DomainConstraint& constraint, const std::string& placeholder,
+                              const Binding& binding, const Knowledge& knowledge) {
   const ConstraintKind& kind = info(constraint.type);
   if (constraint.arguments.size() < 2) return std::nullopt;
   const auto& first = constraint.arguments[0];
@@ -82,32 +103,27 @@ std::optional<std::vector<std::string>> narrowed(const DomainConstraint& constra
     const auto* bound = second == placeholder ? bound_to(binding, first) : nullptr;
     const auto* category = bound == nullptr ? nullptr : knowledge.find(*bound);
     if (category == nullptr) return std::nullopt;
-    if (kind.meaning == Meaning::Usual) return sorted_unique(category->rooms);
-    return sorted_unique(values_of(*category));
+    if (kind.meaning == Meaning::Usual) return sorted_unique(Names(category->rooms.begin(), category->rooms.end()));
+    Names values(category->colours.begin(), category->colours.end());
+    values.insert(values.end(), category->materials.begin(), category->materials.end());
+    return sorted_unique(std::move(values));
   }
   if (kind.meaning != Meaning::Placement && kind.meaning != Meaning::Effect) return std::nullopt;
-  const auto first_bound = meant_by(first, binding, knowledge);
-  const auto second_bound = meant_by(second, binding, knowledge);
-  std::vector<std::string> names;
-  if (first == placeholder && !second_bound.empty()) {
-    if (kind.meaning == Meaning::Placement) {
-      for (const auto* row : knowledge.placements_at(second_bound.front(), *kind.relation))
-        names.push_back(row->object);
-    } else {
-      for (const auto* row : knowledge.effects_on(second_bound.front(), *kind.treatment)) names.push_back(row->tool);
-    }
-    return sorted_unique(std::move(names));
+  const bool is_first = first == placeholder;
+  if (!is_first && second != placeholder) return std::nullopt;
+  const std::string other = first_meant_by(is_first ? second : first, binding, knowledge);
+  if (other.empty()) return std::nullopt;
+  Names names;
+  if (kind.meaning == Meaning::Placement) {
+    const auto rows =
+        is_first ? knowledge.placements_at(other, *kind.relation) : knowledge.placements_of(other, *kind.relation);
+    for (const auto* row : rows) names.push_back(is_first ? row->object : row->receptacle);
+  } else {
+    const auto rows =
+        is_first ? knowledge.effects_on(other, *kind.treatment) : knowledge.effects_of(other, *kind.treatment);
+    for (const auto* row : rows) names.push_back(is_first ? row->tool : row->target);
   }
-  if (second == placeholder && !first_bound.empty()) {
-    if (kind.meaning == Meaning::Placement) {
-      for (const auto* row : knowledge.placements_of(first_bound.front(), *kind.relation))
-        names.push_back(row->receptacle);
-    } else {
-      for (const auto* row : knowledge.effects_of(first_bound.front(), *kind.treatment)) names.push_back(row->target);
-    }
-    return sorted_unique(std::move(names));
-  }
-  return std::nullopt;
+  return sorted_unique(std::move(names));
 }
 
 bool gives_substance(const Effect& effect) {
@@ -165,9 +181,9 @@ std::vector<std::string> all_names(const Parameter& parameter, const Knowledge& 
 }
 
 /// Those of the first list that the other has, too; both are sorted.
-std::vector<std::string> common_names(const std::vector<std::string>& names, const std::vector<std::string>& other) {
+Names common_names(const Names& names, const std::vector<std::string>& other) {
   const bool few = names.size() * 8 < other.size();
-  std::vector<std::string> common;
+  Names common;
   auto from = other.begin();
   for (const auto& name : names) {
     if (few)
@@ -237,37 +253,39 @@ bool is_narrow(const std::string& kind) {
 
 bool kind_holds(const DomainConstraint& constraint, const Binding& binding, const Knowledge& knowledge) {
   const auto asked = std::span(constraint.arguments).subspan(1);
-  for (const auto& name : meant_by(constraint.arguments[0], binding, knowledge)) {
+  return all_meant_by(constraint.arguments[0], binding, knowledge, [&](const std::string& name) {
     const auto* category = knowledge.find(name);
-    if (category == nullptr) return false;
-    const bool one = std::any_of(category->kinds.begin(), category->kinds.end(), [&](const std::string& kind) {
-      return std::find(asked.begin(), asked.end(), kind) != asked.end();
-    });
-    if (!one) return false;
-  }
-  return true;
+    return category != nullptr &&
+           std::any_of(category->kinds.begin(), category->kinds.end(), [&](const std::string& kind) {
+             return std::find(asked.begin(), asked.end(), kind) != asked.end();
+           });
+  });
 }
 
 /// Whether those that are bound share a kind: one of those that the constraint lists, or, if it lists none, any.
 bool same_kind(const DomainConstraint& constraint, const Binding& binding, const Knowledge& knowledge) {
-  std::optional<std::vector<std::string>> common;
-  const auto placeholders = placeholders_of(constraint).size();
+  const auto is_kind = [](const std::string& word) {
+    return std::isupper(static_cast<unsigned char>(word.front())) == 0;
+  };
+  const auto placeholders = static_cast<std::size_t>(
+      std::find_if(constraint.arguments.begin(), constraint.arguments.end(), is_kind) - constraint.arguments.begin());
   const auto listed = std::span(constraint.arguments).subspan(placeholders);
+  std::vector<const Category*> categories;
   for (const auto& argument : std::span(constraint.arguments).first(placeholders)) {
-    for (const auto& name : meant_by(argument, binding, knowledge)) {
-      const auto* category = knowledge.find(name);
-      if (category == nullptr) return false;
-      if (!common) {
-        common = category->kinds;
-        continue;
-      }
-      std::erase_if(*common, [&](const std::string& kind) {
-        return std::find(category->kinds.begin(), category->kinds.end(), kind) == category->kinds.end();
-      });
-    }
+    const bool known = all_meant_by(argument, binding, knowledge, [&](const std::string& name) {
+      categories.push_back(knowledge.find(name));
+      return categories.back() != nullptr;
+    });
+    if (!known) return false;
   }
-  return !common || std::any_of(common->begin(), common->end(), [&](const std::string& kind) {
-    return listed.empty() ? is_narrow(kind) : std::find(listed.begin(), listed.end(), kind) != listed.end();
+  if (categories.empty()) return true;
+  const auto& kinds = categories.front()->kinds;
+  return std::any_of(kinds.begin(), kinds.end(), [&](const std::string& kind) {
+    const bool counts =
+        listed.empty() ? is_narrow(kind) : std::find(listed.begin(), listed.end(), kind) != listed.end();
+    return counts && std::all_of(categories.begin() + 1, categories.end(), [&](const Category* other) {
+             return std::find(other->kinds.begin(), other->kinds.end(), kind) != other->kinds.end();
+           });
   });
 }
 
@@ -334,18 +352,20 @@ bool satisfies(const DomainConstraint& constraint, const Binding& binding, const
   if (kind.meaning == Meaning::Distinct) return all_distinct(constraint, binding);
   if (kind.meaning == Meaning::OfKind) return kind_holds(constraint, binding, knowledge);
   if (kind.meaning == Meaning::SameKind) return same_kind(constraint, binding, knowledge);
+  if (constraint.arguments.size() >= 2) {
+    if (kind.meaning == Meaning::Placement) return placement_holds(constraint, kind, binding, knowledge);
+    if (kind.meaning == Meaning::Effect) return effect_holds(constraint, kind, binding, knowledge);
+    if (kind.meaning == Meaning::Usual) return usual_holds(constraint, binding, knowledge);
+    if (kind.meaning == Meaning::Value) return value_holds(constraint, binding, knowledge);
+  }
   const auto* first = bound_to(binding, placeholder_use(constraint.arguments[0]).name);
   const auto* category = first == nullptr ? nullptr : knowledge.find(*first);
   if (kind.meaning == Meaning::Sizes) return category != nullptr && comes_in_sizes(*category, knowledge);
-  if (constraint.arguments.size() < 2) return false;
-  if (kind.meaning == Meaning::Usual) return usual_holds(constraint, binding, knowledge);
-  if (kind.meaning == Meaning::Value) return value_holds(constraint, binding, knowledge);
-  if (kind.meaning == Meaning::Words) {
+  if (kind.meaning == Meaning::Words && constraint.arguments.size() >= 2) {
     const auto words = alias_kind_named(constraint.arguments[1]);
     return category != nullptr && words && !knowledge.aliases_of(category->name, *words).empty();
   }
-  return kind.meaning == Meaning::Placement ? placement_holds(constraint, kind, binding, knowledge)
-                                            : effect_holds(constraint, kind, binding, knowledge);
+  return false;
 }
 
 std::string to_text(const DomainConstraint& constraint, const Binding& binding) {
@@ -358,17 +378,28 @@ std::string to_text(const DomainConstraint& constraint, const Binding& binding) 
   return std::string("(").append(join(words, " ")).append(")");
 }
 
-std::vector<std::string> candidates_for(const Parameter& parameter, const std::vector<DomainConstraint>& constraints,
-                                        const Binding& binding, const Knowledge& knowledge,
-                                        const std::vector<std::string>* among) {
-  std::optional<std::vector<std::string>> base;
+bool each_candidate(const Parameter& parameter, const std::vector<DomainConstraint>& constraints,
+                    const Binding& binding, const Knowledge& knowledge, const std::vector<std::string>* among,
+                    const std::function<bool(const std::string& category)>& visit) {
+  std::optional<Names> base;
   for (const auto& constraint : constraints) {
     auto names = narrowed(constraint, parameter.name, binding, knowledge);
     if (names && (!base || names->size() < base->size())) base = std::move(names);
   }
-  const bool all = !base;
-  auto names = all ? all_names(parameter, knowledge) : std::move(*base);
-  if (among != nullptr) names = common_names(names, *among);
+  const bool room = is_room(parameter), value = is_value(parameter);
+  std::vector<std::string> all;
+  Names names;
+  const std::string* all_have = nullptr;
+  if (base) {
+    names = among != nullptr ? common_names(*base, *among) : std::move(*base);
+  } else if (among != nullptr && !room && !value) {
+    names = sorted_unique(Names(among->begin(), among->end()));
+  } else {
+    all = all_names(parameter, knowledge);
+    all_have = first_affordance(parameter);
+    names.assign(all.begin(), all.end());
+    if (among != nullptr) names = common_names(names, *among);
+  }
   std::vector<const DomainConstraint*> own;
   auto trial = binding;
   trial.emplace_back(parameter.name, "");
@@ -377,16 +408,28 @@ std::vector<std::string> candidates_for(const Parameter& parameter, const std::v
     if (speaks_of(constraint, parameter.name) && (partial || is_complete(constraint, trial)))
       own.push_back(&constraint);
   }
-  const bool room = is_room(parameter), value = is_value(parameter);
   const auto types = room ? room_types(knowledge) : std::vector<std::string>{};
-  const Wish wish(parameter, all ? first_affordance(parameter) : nullptr);
-  std::erase_if(names, [&](const std::string& name) {
-    const bool offers = room    ? std::binary_search(types.begin(), types.end(), name)
-                        : value ? is_word_for(parameter, name, knowledge)
-                                : wish.met_by(name, knowledge);
-    if (!offers) return true;
-    trial.back().second = name;
-    return !std::all_of(own.begin(), own.end(), [&](const auto* one) { return satisfies(*one, trial, knowledge); });
+  const Wish wish(parameter, all_have);
+  std::string& category = trial.back().second;
+  for (const std::string_view name : names) {
+    category = name;
+    const bool offers = room    ? std::binary_search(types.begin(), types.end(), category)
+                        : value ? is_word_for(parameter, category, knowledge)
+                                : wish.met_by(category, knowledge);
+    if (!offers) continue;
+    const auto holds = [&](const auto* one) { return satisfies(*one, trial, knowledge); };
+    if (std::all_of(own.begin(), own.end(), holds) && !visit(category)) return false;
+  }
+  return true;
+}
+
+std::vector<std::string> candidates_for(const Parameter& parameter, const std::vector<DomainConstraint>& constraints,
+                                        const Binding& binding, const Knowledge& knowledge,
+                                        const std::vector<std::string>* among) {
+  std::vector<std::string> names;
+  each_candidate(parameter, constraints, binding, knowledge, among, [&](const std::string& category) {
+    names.push_back(category);
+    return true;
   });
   return names;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -38,5 +39,9 @@ std::string to_text(const DomainConstraint& constraint, const Binding& binding);
 std::vector<std::string> candidates_for(const Parameter& parameter, const std::vector<DomainConstraint>& constraints,
                                         const Binding& binding, const Knowledge& knowledge,
                                         const std::vector<std::string>* among = nullptr);
+/// Visits them one after the other until a visit gives false; whether none did.
+bool each_candidate(const Parameter& parameter, const std::vector<DomainConstraint>& constraints,
+                    const Binding& binding, const Knowledge& knowledge, const std::vector<std::string>* among,
+                    const std::function<bool(const std::string& category)>& visit);
 
 }  // namespace unietp

@@ -131,6 +131,39 @@ std::variant<Instruction, Rejection> instruct(const Specification& specification
   return std::move(*instruction);
 }
 
+/// Gives the task its demonstrations in all modes.
+std::optional<Rejection> show(Task& task, ExecutionTree& executions, const std::vector<Mode>& modes,
+                              const Household* usual, StageTimer& timer) {
+  std::vector<Action> by_belief;
+  if (std::find(modes.begin(), modes.end(), Mode::M2) != modes.end()) {  // where candidates fail most often
+    timer.enter(Stage::OtherModes);
+    auto done = act_by_belief(executions, usual);
+    if (auto* why = std::get_if<Rejection>(&done)) return std::move(*why);
+    by_belief = std::move(std::get<std::vector<Action>>(done));
+  }
+  timer.enter(Stage::Expert);
+  auto shown = demonstrate(executions, {});
+  if (auto* why = std::get_if<Rejection>(&shown)) return std::move(*why);
+  task.demonstration = std::move(std::get<Demonstration>(shown));
+
+  timer.enter(Stage::Mutations);
+  const auto needless = needless_steps(executions, task.demonstration);
+  if (!needless.empty()) return Rejection{RejectionReason::MutationSucceeds, join(needless, "; ")};
+
+  timer.enter(Stage::OtherModes);
+  for (const Mode mode : modes) {
+    if (mode == Mode::M1) continue;
+    auto other = demonstrate_in(mode, executions, task.demonstration, usual,
+                                mode == Mode::M2 ? std::move(by_belief) : std::vector<Action>{});
+    if (auto* why = std::get_if<Rejection>(&other)) return std::move(*why);
+    const auto missable = needless_steps(executions, std::get<Demonstration>(other));
+    if (!missable.empty())
+      return Rejection{RejectionReason::MutationSucceeds, std::string(name_of(mode)) + ": " + join(missable, "; ")};
+    task.in_other_modes.push_back(std::move(std::get<Demonstration>(other)));
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configuration, const Resources& resources,
@@ -193,24 +226,7 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
   timer.enter(Stage::Expert);
   auto executions = ExecutionTree::of(specification.goal, start, backend.knowledge, backend.profile, std::move(known));
   if (!executions) return rejected({RejectionReason::NoPlan, format(executions.error())});
-  auto shown = demonstrate(*executions, {});
-  if (auto* why = std::get_if<Rejection>(&shown)) return rejected(std::move(*why));
-  task.demonstration = std::move(std::get<Demonstration>(shown));
-
-  timer.enter(Stage::Mutations);
-  const auto needless = needless_steps(*executions, task.demonstration);
-  if (!needless.empty()) return rejected({RejectionReason::MutationSucceeds, join(needless, "; ")});
-
-  timer.enter(Stage::OtherModes);
-  for (const Mode mode : configuration.modes) {
-    if (mode == Mode::M1) continue;
-    auto other = demonstrate_in(mode, *executions, task.demonstration, grounding.household);
-    if (auto* why = std::get_if<Rejection>(&other)) return rejected(std::move(*why));
-    const auto missable = needless_steps(*executions, std::get<Demonstration>(other));
-    if (!missable.empty())
-      return rejected({RejectionReason::MutationSucceeds, std::string(name_of(mode)) + ": " + join(missable, "; ")});
-    task.in_other_modes.push_back(std::move(std::get<Demonstration>(other)));
-  }
+  if (auto why = show(task, *executions, modes, grounding.household, timer)) return rejected(std::move(*why));
   task.traits = traits_of(source, task.episode, task.demonstration);
   return task;
 }

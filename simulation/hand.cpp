@@ -75,8 +75,8 @@ Spots spots_on(const WorldState& state, std::size_t target, const Vec3& size, bo
   if (attaches) add_top(shape, receptacle.size);
   const Vec2 agent = state.agent().position;
   result.offer = for_each_spot(receptacle, shape, size, inside, alone, [&](const Pose& pose) {
-    if (arm_length(pose.position, agent, *state.profile) <= state.profile->reach_m)
-      result.spots.push_back({pose, effort(pose.position, agent, *state.profile)});
+    const double arm = arm_length(pose.position, agent, *state.profile);
+    if (arm <= state.profile->reach_m) result.spots.push_back({pose, effort(pose.position, arm)});
     return true;
   });
   std::stable_sort(result.spots.begin(), result.spots.end(),

@@ -58,11 +58,10 @@ SurfaceFit for_each_spot(const Node& receptacle, const Shape& shape, const Vec3&
 }
 
 double arm_length(const Vec3& spot, const Vec2& at, const Profile& profile) {
-  return std::hypot((spot.head<2>() - at).norm(), above_arm(spot, profile));
+  const double flat = (spot.head<2>() - at).norm(), above = above_arm(spot, profile);
+  return above == 0 ? flat : std::hypot(flat, above);  // the same, sooner for nearly all spots
 }
 
-double effort(const Vec3& spot, const Vec2& at, const Profile& profile) {
-  return std::hypot(arm_length(spot, at, profile), spot.z() - kEasyHeight_m);
-}
+double effort(const Vec3& spot, double arm) { return std::hypot(arm, spot.z() - kEasyHeight_m); }
 
 }  // namespace unietp

@@ -24,7 +24,8 @@ SurfaceFit for_each_spot(const Node& receptacle, const Shape& shape, const Vec3&
 /// reach.
 double arm_length(const Vec3& spot, const Vec2& at, const Profile& profile);
 
-/// Cost of a release point, metres: of the free spots in reach the one with the least is tried first.
-double effort(const Vec3& spot, const Vec2& at, const Profile& profile);
+/// Cost of a release point, metres: of the free spots in reach the one with the least is tried first. `arm`: its
+/// arm_length.
+double effort(const Vec3& spot, double arm);
 
 }  // namespace unietp

@@ -22,13 +22,12 @@ struct Coverage {
   double nearest = 0, farthest = kNever;  // depth range of the visible part
 };
 
-/// `fills`: the solid is known to cover every pixel.
+/// Of one whose cover meets the part. `fills`: the solid is known to cover every pixel.
 Coverage coverage_of(const Outline& outline, const PixelBox& part, const PartOfImage& middles, bool fills,
                      const Camera& camera) {
   Coverage share;
   bool around_covers = true;  // perhaps, the box around a round solid
   if (!fills) {
-    if (!meet(outline.cover, part)) return {false, false, 0, 0};
     const auto [least, most] = outline.sides.least_in(middles);
     if (most < -kSlack) return {false, false, 0, 0};
     share.whole = !outline.round && outline.side_count > 0 && least > kSlack;
@@ -93,7 +92,8 @@ std::optional<PixelBox> VisibleBoxes::of(std::int32_t owner) {
   for (const OutlineSummary& one : by_depth_) {
     if (one.nearest > farthest) break;
     if (one.owner != owner && outlines_[one.outline].clear) continue;  // the owner is seen through it
-    if (meet(one.cover, *cover)) (one.owner == owner ? own_ : others_).push_back({one.outline, false, one.nearest});
+    if (meet(one.cover, *cover))
+      (one.owner == owner ? own_ : others_).push_back({one.outline, false, one.nearest, one.cover});
   }
   explore(*cover, {0, own_.size(), 0, others_.size()});
   return box_;
@@ -143,9 +143,9 @@ void VisibleBoxes::explore(const PixelBox& whole, const Ranges& among) {
 std::optional<PixelBox> VisibleBoxes::worth_exploring(const PixelBox& part, const Ranges& among) const {
   std::optional<PixelBox> own;
   for (std::size_t k = among.own; k < among.own_end; ++k) {
-    const Outline& outline = outlines_[own_[k].outline];
-    if (!meet(outline.cover, part)) continue;
-    const PixelBox common = common_part(outline.cover, part);
+    const PixelBox& cover = own_[k].cover;
+    if (!meet(cover, part)) continue;
+    const PixelBox common = common_part(cover, part);
     own = own ? around(*own, common) : common;
   }
   if (!own || (box_ && within(*own, *box_))) return std::nullopt;
@@ -157,12 +157,12 @@ void VisibleBoxes::gather(Stack& stack, std::size_t begin, std::size_t end, cons
   const PartOfImage middles(part);
   for (std::size_t k = begin; k < end; ++k) {
     const Shown above = stack[k];
-    if (above.nearest > filled) continue;
+    if (above.nearest > filled || !meet(above.cover, part)) continue;
     const Outline& outline = outlines_[above.outline];
     const Coverage share = coverage_of(outline, part, middles, above.whole, camera_);
     if (!share.any || share.nearest > filled) continue;
     if (share.whole) filled = std::min(filled, share.farthest);
-    stack.push_back({above.outline, share.whole && !outline.round, share.nearest});
+    stack.push_back({above.outline, share.whole && !outline.round, share.nearest, above.cover});
   }
 }
 
@@ -238,9 +238,8 @@ bool VisibleBoxes::shows_owner(int x, int y, const Ranges& among) const {
   std::uint32_t shown = 0;
   const PixelBox pixel{x, y, x, y};
   const auto look = [&](const Shown& one) {
-    const Outline& outline = outlines_[one.outline];
-    if (one.nearest > first || !meet(outline.cover, pixel)) return;
-    const double depth = outline.depth_at(camera_, x, y);
+    if (one.nearest > first || !meet(one.cover, pixel)) return;
+    const double depth = outlines_[one.outline].depth_at(camera_, x, y);
     if (depth == kNever || depth > first || (depth == first && one.outline > shown)) return;
     first = depth;
     shown = one.outline;

@@ -41,6 +41,7 @@ class VisibleBoxes {
     std::uint32_t outline = 0;
     bool whole = false;  // a box that certainly covers the part
     double nearest = 0;  // lower bound of its depth in the part
+    PixelBox cover{};    // of the outline, so that most are passed over without a look at it
   };
   using Stack = std::vector<Shown>;
   /// Ranges of the two stacks: the solids that may be visible in the current part.

@@ -11,7 +11,10 @@
 #include "expert/search_marks.h"
 #include "expert/search_needs.h"
 #include "expert/search_order.h"
+#include "expert/told_home.h"
 #include "expert/witness.h"
+#include "grounding/reachability.h"
+#include "simulation/relations.h"
 #include "tests/expert/house.h"
 #include "tests/support/committed_knowledge.h"
 #include "tests/support/household.h"
@@ -206,6 +209,37 @@ TEST(EpisodeWindow, ShowsNothingMovableThatIsNotInViewAndNoStateOfFurnitureOutOf
   for (const Node& node : window.view()) {
     EXPECT_TRUE(std::any_of(visible.begin(), visible.end(), [&](const auto& object) { return object.id == node.id; }));
   }
+}
+
+TEST(ToldHome, IsOfABelievedHomeWhatIsComputedOfThatAlone) {
+  const Knowledge knowledge = house_knowledge();
+  const Profile profile = house_profile();
+  const Scene start = at_rest(house());
+  const Formula wanted = goal("(exists (?x - Mug) (at-end (held ?x)))");
+  auto executions = *ExecutionTree::of(wanted, start, knowledge, profile);
+  EpisodeWindow window(executions);
+  ToldHome home(window.told(), profile);
+  Scene believed = window.told();
+  for (const Node& node : start.nodes) {
+    if (node.movable) believed.nodes.push_back(node);
+  }
+  set_state(believed, "fridge_1", Predicate::Open);  // its door is in the way
+  edit_node(believed, "fridge_1")->opening = 1;
+  believed.agent.position += Vec2(0.2, 0);
+  Scene alone = believed;
+  alone.edges = EdgeSet(read_relations(alone));
+  const Walk walk = walk_in(alone, profile);
+  const KnownStart known = home.of(believed);
+  EXPECT_EQ(std::vector<Edge>(believed.edges.begin(), believed.edges.end()),
+            std::vector<Edge>(alone.edges.begin(), alone.edges.end()));
+  EXPECT_EQ(known.walk->grid.digest(), walk.grid.digest());
+  EXPECT_EQ(known.walk->grid.free_cells(), walk.grid.free_cells());
+  EXPECT_EQ(known.walk->reached, walk.reached);
+  EXPECT_NE(walk.grid.digest(), home.start().walk->grid.digest());
+  Scene shorter = window.told();  // and with less furniture
+  shorter.nodes.pop_back();
+  const Walk less = walk_in(shorter, profile);
+  EXPECT_EQ(home.of(shorter).walk->grid.digest(), less.grid.digest());
 }
 
 TEST(SearchNeeds, TellWhatToLookForAndWhere) {

@@ -1,0 +1,51 @@
+#include "expert/told_home.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "grounding/reachability.h"
+#include "simulation/relations.h"
+
+namespace unietp {
+namespace {
+
+/// Visits the nodes of a scene that another, shorter or longer, does not have at the same place.
+template <class Visit>
+void each_other_node(const Scene& scene, const Scene& than, const Visit& visit) {
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    if (i >= than.nodes.size() || scene.nodes[i] != than.nodes[i]) visit(i, scene.nodes[i]);
+  }
+}
+
+}  // namespace
+
+ToldHome::ToldHome(const Scene& told, const Profile& profile)
+    : told_(told),
+      physics_(physics_of(told, colliders_)),
+      walk_(std::make_shared<const Walk>(walk_in(told, profile))),
+      viewer_(told) {}
+
+KnownStart ToldHome::start() const { return {.physics = physics_, .walk = walk_, .viewer = viewer_}; }
+
+KnownStart ToldHome::of(Scene& scene) {
+  KnownStart known = start();
+  NavigationGrid grid = walk_->grid;
+  each_other_node(scene, told_, [&](std::size_t i, const Node& node) {
+    const auto collider = colliders_.of(node);
+    known.physics.set(BodyId::node(i), collider, node.pose, node.movable ? node.mass : 0);
+    const auto& held = scene.agent.held;
+    const bool stands = std::find(held.begin(), held.end(), node.id) == held.end();
+    grid.update(i, stands ? &node : nullptr, stands ? &collider->shape : nullptr);
+  });
+  for (std::size_t i = scene.nodes.size(); i < told_.nodes.size(); ++i) {
+    known.physics.remove(BodyId::node(i));
+    grid.update(i, nullptr, nullptr);
+  }
+  CellSet reached = grid.reached_from(grid.cell_at(scene.agent.position), walk_->grid, walk_->reached);
+  known.walk = std::make_shared<const Walk>(Walk{std::move(grid), std::move(reached), {}});
+  known.links = LinkTable(scene, known.physics);
+  scene.edges = known.links->edges(scene);
+  return known;
+}
+
+}  // namespace unietp

@@ -1,0 +1,80 @@
+// The demonstrations of M2 in a data set follow from what the mode told and showed: the expert does the same again
+// behind a record of that, with no world, and in a world that lacks what it uses and sees last of all it does the same
+// until that shows. On the folder in UNIETP_DATASET where it is set.
+#include <map>
+
+#include <gtest/gtest.h>
+
+#include "expert/belief_expert.h"
+#include "expert/witness.h"
+#include "grounding/household.h"
+#include "task_sources.h"
+
+namespace unietp {
+namespace {
+
+const Household& household(const Knowledge& knowledge) {
+  static std::map<Simulator, Household> all;
+  const auto known = all.find(knowledge.simulator());
+  if (known != all.end()) return known->second;
+  auto read = read_household(std::filesystem::path(UNIETP_SOURCE_DIR) / "data" / "sense", knowledge);
+  EXPECT_TRUE(read) << format(read.error());
+  return all.emplace(knowledge.simulator(), std::move(*read)).first->second;
+}
+
+SearchProblem problem_of(const EnvironmentTask& task) {
+  return {task.goal, *task.data.knowledge, *task.data.profile, &household(*task.data.knowledge)};
+}
+
+/// What the expert of M2 is shown and does in a start.
+Witnessed witnessed(const EnvironmentTask& task, const Scene& start) {
+  auto executions = ExecutionTree::of(task.goal, start, *task.data.knowledge, *task.data.profile);
+  EXPECT_TRUE(executions) << format(executions.error());
+  EpisodeWindow window(*executions);
+  WitnessWindow witness(window);
+  (void)reach_by_belief(problem_of(task), witness);
+  return witness.seen();
+}
+
+Demonstration demonstration_of(const TaskSource& tasks, std::size_t position) {
+  const auto stored = tasks.demonstration(position, Mode::M2);
+  EXPECT_TRUE(stored) << format(stored.error());
+  Demonstration demonstration{Mode::M2, {}, {}};
+  for (const auto& step : stored->steps) {
+    Action action{*action_named(step.command.action), {}};
+    for (const Argument& argument : step.command.args) action.args.push_back(argument.id);
+    demonstration.steps.push_back({step.visible, std::move(action), step.command, {}, {}, false});
+  }
+  return demonstration;
+}
+
+TEST(DemonstrationsOfM2, FollowFromWhatWasToldAndShown) {
+  const TaskSource tasks = source();
+  std::size_t shown = 0, twins = 0, told_apart = 0;
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    SCOPED_TRACE(tasks.listing()[i].id);
+    const auto task = tasks.task(i);
+    ASSERT_TRUE(task) << format(task.error());
+    const Demonstration demonstration = demonstration_of(tasks, i);
+    const Witnessed seen = witnessed(**task, (*task)->start);
+    std::vector<Action> actions;
+    for (const DemonstrationStep& step : demonstration.steps) actions.push_back(step.action);
+    ASSERT_EQ(seen.actions, actions);
+    RecordedWindow record(seen);
+    EXPECT_FALSE(reach_by_belief(problem_of(**task), record));
+    EXPECT_TRUE(record.same());
+    ++shown;
+    const auto twin = twin_of((*task)->start, demonstration);
+    if (!twin) continue;  // everything that it uses was in view at the start
+    const Witnessed other = witnessed(**task, *twin);
+    EXPECT_TRUE(acted_alike(seen, other));
+    ++twins;
+    if (same_moments(seen, other) < seen.moments.size()) ++told_apart;
+  }
+  std::printf("%zu demonstrations, %zu twins, %zu of them told apart in the end\n", shown, twins, told_apart);
+  EXPECT_GT(twins, 0U);
+  EXPECT_EQ(told_apart, twins) << "a twin lacks something that is used";
+}
+
+}  // namespace
+}  // namespace unietp
