@@ -56,7 +56,7 @@ TEST(ForeignScenes, AFileWithoutAHomeIsTold) {
   const ScratchFolder folder;
   const auto file = folder.path() / "scenes.jsonl";
   ASSERT_TRUE(write_file(file, "[]"));
-  const auto reading = read_foreign_scenes("ithor", {file}, backends_without_things(), FormatFacts());
+  const auto reading = read_foreign_scenes("procthor", {file}, backends_without_things(), FormatFacts());
   ASSERT_EQ(reading.errors.size(), 1U);
   EXPECT_EQ(reading.errors[0].where, file.string());
   EXPECT_EQ(reading.errors[0].message, "contains no home");
