@@ -169,7 +169,8 @@ TEST_F(WrongTexts, RightOnesOfEveryStyleAreNotRefusedByTheirWords) {
   for (const auto& [style, tally] : tallies) texts += tally.texts, refused += tally.by_words;
   for (const auto& [style, tally] : tallies) std::printf("%s: %d\n", style.c_str(), tally.texts);
   std::printf("%d right texts of %zu styles, %d refused by their words\n", texts, tallies.size(), refused);
-  EXPECT_GT(texts, test::tries(380, 1200));  // not every thing has a second name, and not every style an "it" that is clear
+  EXPECT_GT(texts,
+            test::tries(380, 1200));  // not every thing has a second name, and not every style an "it" that is clear
   EXPECT_LE(refused * 100, texts);
 }
 

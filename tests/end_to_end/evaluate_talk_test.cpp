@@ -302,6 +302,9 @@ TEST(EvaluateTalk, AsManyStepsAreToldAgainAsAreAskedFor) {
     return count;
   };
   EXPECT_EQ(told("full"), 4);
+  for (const char* history : {"1001", "-1", "some"})
+    EXPECT_EQ(evaluate("http://127.0.0.1:9", scratch.at("refused"), {"--images", "none", "--history", history}).code,
+              2);
   EXPECT_EQ(told("2"), 2);
   EXPECT_EQ(told("none"), 0) << "only what became of the last action, without its name";
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "grounding/label_layout.h"
+#include "grounding/node_drawing.h"
 #include "grounding/svg_canvas.h"
 #include "homes.h"
 
@@ -34,6 +35,31 @@ TEST(SceneSvg, DrawsEveryRoomThingAndStopOnce) {
   }
   EXPECT_EQ(count_of(plain, "\"nan"), 0u);
   EXPECT_EQ(plain, scene_svg(*home)) << "equal scenes, equal bytes";
+}
+
+TEST(NodeDrawing, WhatHangsHighIsDashedAndWhatIsRoundIsACircle) {
+  Node node;
+  node.id = "thing_1";
+  const auto drawn = [&](double bottom, double top) {
+    SvgCanvas canvas({-1, -1}, {1, 1}, "");
+    node.size = {0.4, 0.4, top - bottom};
+    node.pose.position = {0, 0, (bottom + top) / 2};
+    draw_furniture(canvas, node);
+    return count_of(std::move(canvas).finish(), "stroke-dasharray");
+  };
+  EXPECT_EQ(drawn(0, 2), 0U) << "a wardrobe reaches high, but stands on the floor";
+  EXPECT_EQ(drawn(0.9, 2), 0U);
+  EXPECT_EQ(drawn(1.4, 2), 1U);
+  for (const auto& [archetype, circles] : {std::pair{Archetype::Cylinder, 1U},
+                                           {Archetype::Sphere, 1U},
+                                           {Archetype::Plate, 1U},
+                                           {Archetype::Vessel, 1U},
+                                           {Archetype::Box, 0U}}) {
+    SvgCanvas canvas({-1, -1}, {1, 1}, "");
+    node.archetype = archetype;
+    draw_object(canvas, node, false);
+    EXPECT_EQ(count_of(std::move(canvas).finish(), "<circle"), circles) << static_cast<int>(archetype);
+  }
 }
 
 double attribute(const std::string& element, const std::string& name) {

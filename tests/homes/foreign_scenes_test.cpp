@@ -52,6 +52,17 @@ TEST(ForeignScenes, OfOneNameAreToldApartWithoutRegardToCase) {
   EXPECT_THAT(ids_of({"a", "A", "a-2", "a", "b/../c", ".."}), ElementsAre("a", "A-2", "a-2-2", "a-3", "b_.._c", "_."));
 }
 
+TEST(ForeignScenes, AFileWithoutAHomeIsTold) {
+  const ScratchFolder folder;
+  const auto file = folder.path() / "scenes.jsonl";
+  ASSERT_TRUE(write_file(file, "[]"));
+  const auto reading = read_foreign_scenes("procthor", {file}, backends_without_things(), FormatFacts());
+  ASSERT_EQ(reading.errors.size(), 1U);
+  EXPECT_EQ(reading.errors[0].where, file.string());
+  EXPECT_EQ(reading.errors[0].message, "contains no home");
+  EXPECT_TRUE(reading.homes.empty());
+}
+
 /// Processor time of this process, s.
 double processor_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 

@@ -12,12 +12,15 @@
 #include <gtest/gtest.h>
 
 #include "core/limits.h"
+#include "core/text.h"
 #include "small_set.h"
 
 namespace unietp {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 /// The ids of the tasks that are read before the error, if there is one, and then the error.
 std::vector<std::string> read_strictly(const SmallSet& set, int threads = 1) {
@@ -172,6 +175,34 @@ int read_within(const SmallSet& set, int threads, std::size_t more_bytes) {
   int status = 0;
   waitpid(child, &status, 0);
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+TEST(DatasetReader, ALineThatIsNoTaskIsToldWithItsFileAndNumber) {
+  const SmallSet set;
+  set.write({task_line("a"), replace_all(task_line("b"), "\"split\"", "\"splits\"")}, shown({"a", "b"}));
+  EXPECT_THAT(read_strictly(set), ElementsAre("a", StartsWith("tasks.jsonl:2:")));
+}
+
+TEST(CheckCombinations, CountsWhatTheGoalRangesOverAndNothingElse) {
+  Scene start;
+  for (int i = 0; i < 402; ++i) {
+    Node node;
+    node.category = i < 2 ? "Mug" : "Plate";
+    start.nodes.push_back(node);
+  }
+  const auto check = [&](const std::string& category) {
+    std::string text = "(at-end (on ?x ?y))";
+    for (const char* variable : {"?z", "?y", "?x"})
+      text = std::string("(exists (") + variable + " - " + category + ") " + text + ")";
+    const auto goal = parse_formula("goal", text, FormulaUse::Goal);
+    EXPECT_TRUE(goal) << format(goal.error());
+    return check_combinations("tasks.jsonl:3", *goal, start);
+  };
+  EXPECT_TRUE(check("Mug")) << "8 combinations";
+  const auto many = check("Plate");
+  ASSERT_FALSE(many) << "400 to the third";
+  EXPECT_EQ(many.error().where, "tasks.jsonl:3");
+  EXPECT_THAT(many.error().message, HasSubstr("combinations of objects"));
 }
 
 TEST(DatasetReader, TakesNoMoreMemoryForMoreTasks) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <sstream>
 
 #include "tests/support/scratch_folder.h"
 
@@ -37,6 +38,27 @@ TEST(WordFigures, TheDivergenceIsNoneFromTheSameAndOneFromOthers) {
   const double half = distance_to_human({{{"wash", "a"}, 400}, {{"close", "the"}, 400}}, human);
   EXPECT_NEAR(half, 0.5, 0.02);
   EXPECT_LT(distance_within_human(800, human), 0.001);
+}
+
+TEST(WordFigures, TheTableHasTheWordsOfPeopleBesideThoseOfAllSplitsAlone) {
+  HumanGoals human;
+  human.figures["mean_words"] = 9.25;
+  human.bigrams[{"wash", "a"}] = 5;
+  const auto table =
+      word_table({{"mine", word_figures({{"atomic", "Wash a mug."}, {"logical", "Wash a plate."}})}}, human);
+  const auto cells_after = [&](const std::string& label) {
+    std::istringstream rest(table.substr(table.find(label) + label.size()));
+    std::string line, cell;
+    std::getline(rest, line);
+    std::istringstream words(line);
+    std::vector<std::string> cells;
+    while (words >> cell) cells.push_back(cell);
+    return cells;
+  };
+  using Cells = std::vector<std::string>;
+  EXPECT_EQ(cells_after("mean words, all"), (Cells{"3.0", "9.2"})) << table;
+  EXPECT_EQ(cells_after("mean words, atomic and compositional"), (Cells{"3.0"}));
+  EXPECT_EQ(cells_after("mean words, other splits"), (Cells{"3.0"}));
 }
 
 TEST(WordFigures, OfPeopleAreReadFromTheirFilesAndFaultsAreTold) {

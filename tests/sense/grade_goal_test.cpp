@@ -55,6 +55,18 @@ TEST(GradeGoal, JudgesWhatFollowsWhat) {
             Grade::Senseless);
 }
 
+TEST(PiecesOf, AreEachPartAndEachPairThatGoesTogetherOnce) {
+  const auto goal = parse_formula(
+      "goal", "(exists (?a - Potato) (exists (?b - Plate) (at-end (and (cooked ?a) (on ?a ?b)))))", FormulaUse::Goal);
+  ASSERT_TRUE(goal);
+  const auto pieces = pieces_of(wants_of(*goal));
+  ASSERT_EQ(pieces.size(), 3U);
+  EXPECT_EQ(pieces[0].wants.size(), 1U);
+  EXPECT_EQ(pieces[1].wants.size(), 1U);
+  ASSERT_EQ(pieces[2].wants.size(), 2U);
+  EXPECT_NE(pieces[2].wants[0].predicate, pieces[2].wants[1].predicate);
+}
+
 TEST(GradeGoal, JudgesWhatIsBroughtTogether) {
   const auto danger = graded(
       "(exists (?c - CounterTop) (exists (?a - Bread) (exists (?b - SprayBottle) (at-end (and (on ?a ?c) (on ?b "
