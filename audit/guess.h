@@ -24,7 +24,7 @@ enum class GuessChoice : std::uint8_t {
 /// other homes: 1 when none of them is so, 0.5 on average.
 struct GuessOption {
   std::uint64_t kind = 0;                                // key of simulator and category; of a room, of its type
-  std::uint64_t states = 0, support = 0, room_type = 0;  // keys; of the states that no phrase of the goal asks for
+  std::uint64_t states = 0, support = 0, room_type = 0;  // keys; of the states that the goal does not speak of
   int room = -1;                                         // place in the home's list of rooms; -1: in none
   bool has_asset = false;
   bool is_named = false;  // the instruction has the words of its category

@@ -63,20 +63,30 @@ float number_of(std::string_view id) {
   return number;
 }
 
-/// What the phrases of a goal ask for: predicates of its domains' `:where`.
+bool is_place(Predicate one) {
+  return one == Predicate::On || one == Predicate::Inside || one == Predicate::NextTo || one == Predicate::Under ||
+         one == Predicate::Nearest || one == Predicate::OnFloor || one == Predicate::InRoom;
+}
+
+/// What the instruction speaks of: the states of the whole goal ("the dirty one", "switch it off"), and the places of
+/// its phrases, the `:where` of its domains.
 void asked_in(const Formula& formula, bool inside_where, std::set<Predicate>& asked) {
-  if (inside_where && formula.op == Formula::Op::Atom) asked.insert(formula.predicate);
+  if (formula.op == Formula::Op::Atom && (inside_where || !is_place(formula.predicate)))
+    asked.insert(formula.predicate);
   for (const Formula& where : formula.domain.where) asked_in(where, true, asked);
   for (const Formula& child : formula.children) asked_in(child, inside_where, asked);
 }
 
-bool asks_for_place(const std::set<Predicate>& asked) {
-  return std::any_of(asked.begin(), asked.end(), [](Predicate one) {
-    return one == Predicate::On || one == Predicate::Inside || one == Predicate::NextTo || one == Predicate::Under ||
-           one == Predicate::Nearest || one == Predicate::OnFloor || one == Predicate::InRoom;
-  });
+bool asks_for_place(const std::set<Predicate>& asked) { return std::any_of(asked.begin(), asked.end(), is_place); }
+
+std::string_view default_of(std::string_view group) {
+  for (const PredicateInfo& one : all_predicates()) {
+    if (one.group == group && one.by_default) return one.name;
+  }
+  return {};
 }
 
+/// States that are asked for are taken to be as they are at first: left out, they would set the thing apart, too.
 std::uint64_t key_of_states(const StateSet& states, const std::set<Predicate>& asked) {
   std::string text;
   for (const State& state : states.all()) {
@@ -84,7 +94,11 @@ std::uint64_t key_of_states(const StateSet& states, const std::set<Predicate>& a
     const bool is_asked = std::any_of(asked.begin(), asked.end(), [&](Predicate one) {
       return one == state.predicate || (!group.empty() && info(one).group == group);
     });
-    if (!is_asked) text += std::string(info(state.predicate).name) + " " + state.symbol + ",";
+    if (!is_asked) {
+      text += std::string(info(state.predicate).name) + " " + state.symbol + ",";
+    } else if (!group.empty()) {
+      text += std::string(default_of(group)) + " ,";
+    }
   }
   return word_key(text);
 }

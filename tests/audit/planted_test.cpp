@@ -5,6 +5,7 @@
 
 #include "audit/audit.h"
 #include "audit/task_questions.h"
+#include "logic/formula.h"
 #include "planted_set.h"
 
 namespace unietp {
@@ -71,6 +72,25 @@ TEST(Audit, EveryPolicyHasAPlantedLeak) {
   for (const Plant& plant : testing::plants()) planted.push_back(plant.policy);
   EXPECT_THAT(planted, Eq(policies));
   EXPECT_GE(policies.size(), 20U);
+}
+
+/// Whether a thing is clean tells nothing where the instruction says that something is to be cleaned, and it looks then
+/// as clean things do in other homes.
+TEST(Audit, TakesStatesThatTheGoalSpeaksOfAsTheyAreAtFirst) {
+  MadeTask made = testing::made_set(1, Rng(3)).front();
+  const auto key = [&](const char* goal, Predicate state) {
+    made.task.record.goal_tree = *parse_formula("goal", goal, FormulaUse::Goal);
+    edit_node(made.task.start, made.furniture)->states.set({state, ""});
+    const auto& nodes = made.task.start.nodes;
+    const auto at =
+        std::find_if(nodes.begin(), nodes.end(), [&](const Node& node) { return node.id == made.furniture; });
+    return audited_task(made.task).things[static_cast<std::size_t>(at - nodes.begin())].states;
+  };
+  const char* to_clean = "(exists (?x - Mug) (at-end (clean ?x)))";
+  const char* to_hold = "(exists (?x - Mug) (at-end (held ?x)))";
+  EXPECT_NE(key(to_hold, Predicate::Dirty), key(to_hold, Predicate::Clean));
+  EXPECT_EQ(key(to_clean, Predicate::Dirty), key(to_clean, Predicate::Clean));
+  EXPECT_EQ(key(to_clean, Predicate::Dirty), key(to_hold, Predicate::Clean));
 }
 
 TEST(Audit, FindsNothingWhereNothingIsPlanted) {

@@ -29,7 +29,7 @@ TEST(AuditCommand, SaysTheSameOfASmallSetInAllForms) {
   EXPECT_EQ(json["tasks"], kSmallCount);
   EXPECT_EQ(json["training_tasks"], 0);
   const int leaks = json["leaks"];
-  EXPECT_LE(leaks, 2) << table.out;  // of 440 cells; such as "switch it off", where only one thing is on
+  EXPECT_LE(leaks, 2) << table.out;  // of 440 cells
   EXPECT_EQ(table.code, leaks > 0 ? 1 : 0) << table.err;
   EXPECT_EQ(ended.code, table.code);
   EXPECT_THAT(table.out, HasSubstr(" cells, " + std::to_string(leaks) + " better than chance"));
