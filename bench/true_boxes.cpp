@@ -1,8 +1,9 @@
-// Whether the boxes and lists of what an agent sees are those of a ray through every pixel, over many views of
-// furnished homes:
+// Whether the pixels of pictures and channels, and the boxes and lists of what an agent sees, are those of a ray
+// through every pixel, over many views of furnished homes:
 //   build/release/bench/true_boxes [VIEWS [PIXELS]]     (10000 views of 300 x 300 pixels in 20 homes)
-// Every object with a pixel has to be listed with the box around its pixels, and no other: without a limit of sight,
-// and within that of the profile. Exit code 1 if one is not; each such view is printed.
+// Every object of which enough is seen (simulation/visible_box.h) has to be listed with the box around its pixels, and
+// no other: without a limit of sight, and within that of the profile. Exit code 1 if one is not; each such view is
+// printed.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -14,6 +15,7 @@
 #include "simulation/channels.h"
 #include "simulation/picture.h"
 #include "simulation/view.h"
+#include "tests/simulation/by_rays.h"
 
 namespace unietp {
 namespace {
@@ -21,21 +23,6 @@ namespace {
 struct Counts {
   std::size_t views = 0, boxes = 0, through_glass = 0, wrong = 0;
 };
-
-/// The box around the pixels of each node, by the rays alone.
-std::vector<std::optional<PixelBox>> boxes_of(const Segmentation& image, std::size_t nodes) {
-  std::vector<std::optional<PixelBox>> boxes(nodes);
-  const auto add = [&](std::size_t pixel, std::int32_t node) {
-    if (node < 0) return;
-    const int x = static_cast<int>(pixel) % image.width, y = static_cast<int>(pixel) / image.width;
-    auto& box = boxes[static_cast<std::size_t>(node)];
-    if (!box) box = PixelBox{x, y, x, y};
-    box = PixelBox{std::min((*box)[0], x), std::min((*box)[1], y), std::max((*box)[2], x), std::max((*box)[3], y)};
-  };
-  for (std::size_t pixel = 0; pixel < image.node.size(); ++pixel) add(pixel, image.node[pixel]);
-  for (const Segmentation::Through& one : image.through) add(one.pixel, one.node);
-  return boxes;
-}
 
 /// What a list of what is seen should be, up to a distance.
 std::vector<VisibleObject> expected(const Scene& scene, const Profile& profile,
@@ -64,8 +51,9 @@ void check(const FurnishedViews& seen, Counts& counts) {
   Rays rays;
   for (const Scene& scene : seen.scenes) {
     const Segmentation image = segmentation_of(scene, seen.profile, rays);
-    const auto boxes = boxes_of(image, scene.nodes.size());
-    bool right = true;
+    const auto boxes = testing::boxes_by_rays(scene, seen.profile, image, rays);
+    bool right = channels_of(scene, camera_of(scene.agent, seen.profile)).node == image.node;
+    if (!right) std::printf("view %zu: other pixels\n", counts.views);
     for (const double sight_m : {seen.profile.sight_m, kEndless_m}) {
       const auto listed = Viewer(scene).view(viewed(scene), scene.agent, seen.profile, sight_m);
       const auto by_rays = expected(scene, seen.profile, boxes, sight_m);

@@ -12,6 +12,7 @@
 #include "core/png.h"
 #include "grounding/scene_svg.h"
 #include "record/dataset_reader.h"
+#include "simulation/channel_png.h"
 #include "simulation/navigation.h"
 #include "simulation/solids.h"
 #include "simulation/view.h"
@@ -94,35 +95,16 @@ Result<std::string> seen(const Scene& scene, const Profile& profile, Viewpoint v
   return png(picture.width, picture.height, picture.rgb);
 }
 
-Result<std::string> depth_png(const Channels& channels) {
-  constexpr double kMost = std::numeric_limits<std::uint16_t>::max();
-  std::vector<std::uint16_t> millimeters;
-  for (const float depth : channels.depth) {
-    const double value = std::round(1000.0 * depth);
-    millimeters.push_back(value <= kMost ? static_cast<std::uint16_t>(value) : 0);
-  }
-  return grey_png(channels.width, channels.height, millimeters);
-}
-
-Result<std::string> normals_png(const Channels& channels) {
-  std::vector<std::uint8_t> rgb;
-  for (const float part : channels.normal) rgb.push_back(static_cast<std::uint8_t>(std::round((part + 1.0) * 127.5)));
-  return png(channels.width, channels.height, rgb);
-}
-
 /// Prints the number, the pixels and the id of each object in it.
-Result<std::string> instances_png(const Channels& channels, const Scene& scene) {
-  std::vector<std::uint16_t> numbers;
+void list_objects(const Channels& channels, const Scene& scene) {
   std::vector<int> pixels(scene.nodes.size() + 1);
   for (const std::int32_t node : channels.node) {
-    numbers.push_back(static_cast<std::uint16_t>(node + 1));
     if (node >= 0) ++pixels[static_cast<std::size_t>(node)];
   }
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     if (pixels[i] == 0) continue;
     std::cout << i + 1 << ',' << pixels[i] << ',' << (i < scene.nodes.size() ? scene.nodes[i].id : "agent") << '\n';
   }
-  return grey_png(channels.width, channels.height, numbers);
 }
 
 Result<std::string> measured(const Scene& scene, const Profile& profile, Viewpoint viewpoint,
@@ -130,7 +112,9 @@ Result<std::string> measured(const Scene& scene, const Profile& profile, Viewpoi
   Rays rays;
   const Channels channels = channels_from(scene, profile, viewpoint, rays);
   if (channel == "depth") return depth_png(channels);
-  return channel == "normals" ? normals_png(channels) : instances_png(channels, scene);
+  if (channel == "normals") return normals_png(channels);
+  list_objects(channels, scene);
+  return instances_png(channels);
 }
 
 /// What the options ask for, as the bytes of a PNG. Errors: Usage.

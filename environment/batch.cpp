@@ -138,4 +138,13 @@ std::vector<Picture> EnvironmentBatch::pictures() const {
   return pictures;
 }
 
+std::vector<Channels> EnvironmentBatch::channels() const {
+  std::vector<Channels> channels(size());
+  impl_->threads.share(size(), [&](std::size_t i) {
+    const Observation& seen = at(i).observe();
+    channels[i] = at(i).channels(seen.image_width, seen.image_height).value();
+  });
+  return channels;
+}
+
 }  // namespace unietp

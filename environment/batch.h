@@ -50,6 +50,8 @@ class EnvironmentBatch {
   Result<Done> step(std::span<const Answer> answers, const TakeStep& take);
   /// What each camera shows, made on the threads.
   std::vector<Picture> pictures() const;
+  /// Depth, surface normals and objects of those pictures, made on the threads (Environment::channels).
+  std::vector<Channels> channels() const;
 
  private:
   struct Impl;

@@ -1,6 +1,10 @@
 #include "serve/episode_methods.h"
 
+#include <algorithm>
+#include <array>
+#include <limits>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -11,7 +15,9 @@
 #include "scene/action.h"
 #include "scene/scene_json.h"
 #include "serve/parameters.h"
+#include "simulation/channel_png.h"
 #include "simulation/picture.h"
+#include "simulation/viewpoint.h"
 
 namespace unietp {
 namespace {
@@ -46,6 +52,48 @@ Json picture_json(const Environment& environment, bool boxes) {
   }
   const auto bytes = png(picture.width, picture.height, picture.rgb);
   return {{"width", picture.width}, {"height", picture.height}, {"png", bytes ? base64(*bytes) : ""}};
+}
+
+/// What `render` asks for.
+struct View {
+  std::string camera, channel;
+  int width = 0, height = 0;
+};
+
+/// A side of the image; what no image has is refused where it is drawn.
+int side_of(const std::optional<std::uint64_t>& wanted, int own) {
+  return wanted ? static_cast<int>(std::min<std::uint64_t>(*wanted, std::numeric_limits<int>::max())) : own;
+}
+
+Result<std::string> channel_png(const Channels& channels, std::string_view channel) {
+  if (channel == "depth") return depth_png(channels);
+  return channel == "normals" ? normals_png(channels) : instances_png(channels);
+}
+
+MethodResult view_json(const Environment& environment, const View& view) {
+  constexpr std::array<std::string_view, 4> kChannels{"color", "depth", "normals", "instances"};
+  const auto viewpoint =
+      std::find_if(kViewpoints.begin(), kViewpoints.end(), [&](Viewpoint one) { return name_of(one) == view.camera; });
+  if (viewpoint == kViewpoints.end()) return wrong_parameters("/camera: expected \"agent\", \"behind\" or \"above\"");
+  if (std::find(kChannels.begin(), kChannels.end(), view.channel) == kChannels.end())
+    return wrong_parameters("/channel: expected \"color\", \"depth\", \"normals\" or \"instances\"");
+  Json answer{{"width", view.width}, {"height", view.height}};
+  const auto finish = [&](const Result<std::string>& bytes) { answer["png"] = bytes ? base64(*bytes) : ""; };
+  if (view.channel == "color") {
+    const auto picture = environment.render(view.width, view.height, *viewpoint);
+    if (!picture) return wrong_parameters(picture.error().message);
+    finish(png(picture->width, picture->height, picture->rgb));
+    return answer;
+  }
+  const auto channels = environment.channels(view.width, view.height, *viewpoint);
+  if (!channels) return wrong_parameters(channels.error().message);
+  finish(channel_png(*channels, view.channel));
+  if (view.channel != "instances") return answer;
+  Json ids = Json::array({""});
+  for (const Node& node : environment.scene().nodes) ids.push_back(node.id);
+  if (*viewpoint != Viewpoint::Agent) ids.push_back("agent");
+  answer["ids"] = std::move(ids);
+  return answer;
 }
 
 /// What the last reset or step of a session gave, with its turn and, if the session wants it, the picture.
@@ -178,9 +226,21 @@ MethodResult actions_method(const MethodCall& call) {
 MethodResult render_method(const MethodCall& call) {
   return in_episode(call, [&](Session& session, Parameters& parameters) -> MethodResult {
     const bool boxes = parameters.flag("boxes");
+    View view;
+    view.camera = parameters.text("camera").value_or("agent");
+    view.channel = parameters.text("channel").value_or("color");
+    const auto width = parameters.whole("width"), height = parameters.whole("height");
     if (const auto problem = parameters.problem()) return wrong_parameters(*problem);
     if (!session.settings.rules.picture) return wrong_parameters("the setting \"picture\" of this session is false");
-    return picture_json(*session.environment, boxes);
+    const Observation& seen = session.environment->observe();
+    view.width = side_of(width, seen.image_width);
+    view.height = side_of(height, seen.image_height);
+    const bool own = view.camera == "agent" && view.channel == "color" && !width && !height;
+    if (boxes && !own) return wrong_parameters("\"boxes\" are those of the agent's picture in its own size");
+    if (own) return picture_json(*session.environment, boxes);
+    if ((view.camera != "agent" || view.channel == "instances") && !call.options.privileged)
+      return CallError{CallFailure::NotAllowed, "other cameras and \"instances\" need a server with --privileged"};
+    return view_json(*session.environment, view);
   });
 }
 

@@ -19,9 +19,9 @@ struct Channels {
   std::vector<std::int32_t> node;  // position in Scene::nodes; -1 for walls, floor, ceiling and where nothing is
 };
 
-/// One ray a pixel, to the solids that boxes and segmentation_of are made of, walls, floor and ceiling. Computed in
-/// double precision and then rounded. `rays` is scratch space. Deterministic, the same bytes on every processor.
-Channels channels_of(const Scene& scene, const Camera& camera, Rays& rays);
+/// Of the solids that pictures, boxes and segmentation_of are made of, walls, floor and ceiling. Computed in double
+/// precision and then rounded. Deterministic, the same bytes on every processor.
+Channels channels_of(const Scene& scene, const Camera& camera);
 
 /// Which node each pixel shows, rows from the top; -1 for walls, floor, ceiling and openings.
 struct Segmentation {

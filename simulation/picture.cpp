@@ -8,6 +8,7 @@
 
 #include "simulation/camera.h"
 #include "simulation/daylight.h"
+#include "simulation/first_solids.h"
 #include "simulation/glow.h"
 #include "simulation/noise.h"
 #include "simulation/solids.h"
@@ -17,44 +18,23 @@ namespace unietp {
 namespace {
 
 constexpr double kEverywhere_m = 1000;
-constexpr double kShadow_m = 0.8;  // longest shadow
-constexpr double kLamps_m = 9;     // farther lamps are not lit, but from above
-constexpr double kThin = 1.5 * kPictureStep,
-                 kNear_m = 0.05;  // what is narrower (in pixels, at this depth or more) is looked for
-constexpr double kInto_m = 1e-6;  // from a clear face to where the ray goes on
+constexpr double kShadow_m = 0.8;     // longest shadow
+constexpr double kLamps_m = 9;        // farther lamps are not lit, but from above
+constexpr double kLeastClear = 0.15;  // of stains and cracks on glass: what is behind it is still seen
 const Vec3 kSun = Vec3(0.35, 0.2, 0.9).normalized();
 
-/// What a pixel shows: a face of a solid, the floor, the ceiling or an opening.
-struct Spot {
+// What a pixel shows besides solids, in the place of their numbers.
+struct Shell {
   static constexpr std::int32_t kOpen = -1, kFloor = -2, kCeiling = -3;
-  std::int32_t solid = kOpen;
-  double depth = std::numeric_limits<double>::infinity();
-  Vec3 normal = Vec3::UnitZ();  // W
-  bool same_face(const Spot& other) const { return solid == other.solid && normal == other.normal; }
 };
+
+bool same_face(const PixelHit& a, const PixelHit& b) { return a.solid == b.solid && a.normal == b.normal; }
 
 class Painter {
  public:
-  Painter(const Scene& scene, const Camera& camera, const Rays& rays, const std::vector<Node>& in_hand, int step)
-      : scene_(scene),
-        camera_(camera),
-        rays_(rays),
-        step_(step),
-        spots_(size()),
-        known_(size(), 0),
-        lights_(size(), kDark) {
-    bodies_.reserve(scene.nodes.size());
-    looks_.reserve(scene.nodes.size());
-    for (const Node& node : scene.nodes) {
-      const auto held =
-          std::find_if(in_hand.begin(), in_hand.end(), [&](const Node& one) { return one.id == node.id; });
-      const Node& shown = held == in_hand.end() ? node : *held;
-      bodies_.push_back({shown.pose.rotation.toRotationMatrix().transpose(), shown.pose.position});
-      looks_.push_back(look_of(shown, family_of(shown, scene.simulator)));
-    }
-    for (const Solid& solid : rays.solids()) {
-      if (solid.skin == Skin::Liquid) looks_[static_cast<std::size_t>(solid.owner)].pool = true;
-    }
+  Painter(const Scene& scene, const Camera& camera, const Rays& rays, const std::vector<Node>& in_hand)
+      : scene_(scene), camera_(camera), rays_(rays), lights_(size(), kDark) {
+    find_looks(in_hand);
     const double lit = std::max(kLamps_m, 2 * camera.at.z());
     sources_ = light_sources(scene, looks_, camera, lit);
     windows_ = daylight_of(scene, camera, lit);
@@ -78,6 +58,30 @@ class Painter {
   }
 
  private:
+  /// Of what may be in the picture, and of what lights or steams into it.
+  void find_looks(const std::vector<Node>& in_hand) {
+    bodies_.resize(scene_.nodes.size());
+    looks_.resize(scene_.nodes.size());
+    std::vector<std::uint8_t> shown(scene_.nodes.size(), 0);
+    edges_.reserve(rays_.solids().size());
+    for (const Solid& solid : rays_.solids()) {
+      edges_.push_back({solid.owner, solid.skin == Skin::Water || solid.skin == Skin::Flame});
+      if (solid.owner >= 0) shown[static_cast<std::size_t>(solid.owner)] = 1;
+    }
+    for (std::size_t i = 0; i < scene_.nodes.size(); ++i) {
+      const Node& node = scene_.nodes[i];
+      if (!shown[i] && !node.states.has(Predicate::PowerOn) && !node.states.has(Predicate::Hot)) continue;
+      const auto held =
+          std::find_if(in_hand.begin(), in_hand.end(), [&](const Node& one) { return one.id == node.id; });
+      const Node& seen = held == in_hand.end() ? node : *held;
+      bodies_[i] = {seen.pose.rotation.toRotationMatrix().transpose(), seen.pose.position};
+      looks_[i] = look_of(seen, family_of(seen, scene_.simulator));
+    }
+    for (const Solid& solid : rays_.solids()) {
+      if (solid.skin == Skin::Liquid) looks_[static_cast<std::size_t>(solid.owner)].pool = true;
+    }
+  }
+
   std::size_t size() const {
     return static_cast<std::size_t>(camera_.width) * static_cast<std::size_t>(camera_.height);
   }
@@ -86,113 +90,41 @@ class Painter {
   }
   Vec3 way(int x, int y) const { return camera_.ray(x + 0.5, y + 0.5); }
 
-  Spot look(int x, int y) const {
-    const Vec3 direction = way(x, y);
-    const auto hit = rays_.first(camera_.at, direction, kEverywhere_m);
-    return hit ? Spot{static_cast<std::int32_t>(hit->solid), hit->along, hit->normal} : shell(camera_.at, direction);
-  }
-  Spot shell(const Vec3& from, const Vec3& direction) const {
+  PixelHit shell(const Vec3& from, const Vec3& direction) const {
     const auto plane = plane_behind(from, direction, scene_.wall_height);
     if (!plane) return {};
-    return plane->is_floor ? Spot{Spot::kFloor, plane->along, Vec3::UnitZ()}
-                           : Spot{Spot::kCeiling, plane->along, -Vec3::UnitZ()};
+    return plane->is_floor ? PixelHit{Shell::kFloor, plane->along, Vec3::UnitZ()}
+                           : PixelHit{Shell::kCeiling, plane->along, -Vec3::UnitZ()};
   }
 
-  void find(int x, int y) {
-    if (known_[index(x, y)]) return;
-    known_[index(x, y)] = true;
-    spots_[index(x, y)] = look(x, y);
-  }
-
-  /// Marks the squares that a thin solid crosses, which the rays at their corners may miss.
-  void mark_thin() {
-    const int across = (camera_.width + step_ - 1) / step_, along = (camera_.height + step_ - 1) / step_;
-    thin_.assign(static_cast<std::size_t>(across) * static_cast<std::size_t>(along), 0);
-    for (const Solid& solid : rays_.solids()) {
-      if (!solid.sheared) continue;
-      Vec3 lengths = solid.axes.colwise().norm();
-      Vec3::Index longest = 0;
-      lengths.maxCoeff(&longest);
-      lengths[longest] = 0;
-      const double depth = camera_.depth(solid.pose.position), wide = lengths.maxCoeff();
-      if (depth < kNear_m || 2 * wide * camera_.focal > kThin * depth) continue;
-      const auto from = camera_.pixel(solid.pose.position - solid.axes.col(longest));
-      const auto to = camera_.pixel(solid.pose.position + solid.axes.col(longest));
-      if (!from || !to) continue;
-      const int steps = 1 + static_cast<int>(std::min(2000.0, (*to - *from).cwiseAbs().maxCoeff()));
-      for (int i = 0; i <= steps; ++i) {
-        const Vec2 at = *from + (*to - *from) * i / steps;
-        if (at.x() < 0 || at.y() < 0 || at.x() >= camera_.width || at.y() >= camera_.height) continue;
-        thin_[static_cast<std::size_t>(static_cast<int>(at.y()) / step_ * across + static_cast<int>(at.x()) / step_)] =
-            1;
-      }
-    }
-  }
-  bool crossed_by_thin(int x, int y) const {
-    const int across = (camera_.width + step_ - 1) / step_;
-    return thin_[static_cast<std::size_t>(y / step_ * across + x / step_)] != 0;
-  }
-
-  /// Casts a ray through every step_-th pixel and fills the squares between them.
   void find_spots() {
-    mark_thin();
-    const auto next = [this](int at, int pixels) { return std::min(at + step_, pixels - 1); };
-    for (int y = 0; y < camera_.height - 1; y = next(y, camera_.height)) {
-      for (int x = 0; x < camera_.width - 1; x = next(x, camera_.width))
-        fill(x, y, next(x, camera_.width), next(y, camera_.height));
-    }
-  }
-
-  /// A square whose four corners show the same flat face shows it everywhere; others are subdivided.
-  void fill(int x0, int y0, int x1, int y1) {
-    for (const auto& [x, y] : {std::pair{x0, y0}, std::pair{x1, y0}, std::pair{x0, y1}, std::pair{x1, y1}}) find(x, y);
-    const Spot corner = spots_[index(x0, y0)];
-    const bool even = corner.same_face(spots_[index(x1, y0)]) && corner.same_face(spots_[index(x0, y1)]) &&
-                      corner.same_face(spots_[index(x1, y1)]);
-    if (!even || crossed_by_thin(x0, y0)) {
-      const int x = (x0 + x1) / 2, y = (y0 + y1) / 2;
-      if (x > x0 || y > y0) {
-        fill(x0, y0, std::max(x, x0 + 1), std::max(y, y0 + 1));
-        if (x > x0) fill(x, y0, x1, std::max(y, y0 + 1));
-        if (y > y0) fill(x0, y, std::max(x, x0 + 1), y1);
-        if (x > x0 && y > y0) fill(x, y, x1, y1);
-      }
-      return;
-    }
-    const double away = corner.depth * way(x0, y0).dot(corner.normal);  // distance of the face's plane from the camera
-    for (int y = y0; y <= y1; ++y) {
-      for (int x = x0; x <= x1; ++x) {
-        if (known_[index(x, y)]) continue;
-        known_[index(x, y)] = true;
-        const Vec3 direction = way(x, y);
-        spots_[index(x, y)] = corner.solid < 0 ? shell(camera_.at, direction)
-                                               : Spot{corner.solid, away / direction.dot(corner.normal), corner.normal};
+    spots_ = first_solids(rays_.solids(), camera_);
+    for (int y = 0; y < camera_.height; ++y) {
+      for (int x = 0; x < camera_.width; ++x) {
+        PixelHit& spot = spots_[index(x, y)];
+        if (spot.solid < 0) spot = shell(camera_.at, way(x, y));
       }
     }
   }
 
-  static std::uint8_t byte_of(double value) {
-    return static_cast<std::uint8_t>(std::clamp(std::round(value), 0.0, 255.0));
-  }
+  static std::uint8_t byte_of(double value) { return static_cast<std::uint8_t>(std::clamp(value, 0.0, 255.0) + 0.5); }
 
-  Colour colour_at(int x, int y) {
-    const Spot& spot = spots_[index(x, y)];
-    return colour_of(spot, camera_.at, way(x, y), light_at(x, y), 0);
-  }
+  Colour colour_at(int x, int y) { return colour_of(spots_[index(x, y)], way(x, y), light_at(x, y), 0); }
 
-  /// Of a spot on a ray, lit, with what is seen through it. `through`: how many clear faces lie before it.
-  Colour colour_of(const Spot& spot, const Vec3& from, const Vec3& direction, const Vec3& light, int through) {
+  /// Of a spot on a ray from the camera, lit, with what is seen through it. `through`: how many clear solids lie before
+  /// it.
+  Colour colour_of(const PixelHit& spot, const Vec3& direction, const Vec3& light, int through) {
     constexpr int kMostThrough = 64;  // bounds the recursion; so much glass lets nothing through that could be seen
-    const Vec3 at = from + spot.depth * direction;
+    const Vec3 at = camera_.at + spot.depth * direction;
     const Finish finish = finish_at(spot, at, direction);
     if (finish.glows) return finish.colour;
     Colour colour = finish.colour.cwiseProduct(light);
     if (finish.clear > 0 && through < kMostThrough) {
-      const Vec3 inside = at + kInto_m * direction.normalized();
-      const auto hit = rays_.first(inside, direction, kEverywhere_m);
-      const Spot next =
-          hit ? Spot{static_cast<std::int32_t>(hit->solid), hit->along, hit->normal} : shell(inside, direction);
-      const Colour behind = colour_of(next, inside, direction, lit(next, inside, direction), through + 1);
+      const SolidHit here{spot.depth, static_cast<std::size_t>(spot.solid), spot.normal};
+      const auto hit = rays_.next(camera_.at, direction, kEverywhere_m, here);
+      const PixelHit next =
+          hit ? PixelHit{static_cast<std::int32_t>(hit->solid), hit->along, hit->normal} : shell(camera_.at, direction);
+      const Colour behind = colour_of(next, direction, lit(next, direction), through + 1);
       colour = mixed(colour, behind.cwiseProduct(Vec3(0.94, 0.98, 1.0)), finish.clear);
     }
     return finish.gloss > 0 ? shining(colour, finish.gloss, spot.normal, direction) : colour;
@@ -231,10 +163,10 @@ class Painter {
     return look;
   }
 
-  Finish finish_at(const Spot& spot, const Vec3& at, const Vec3& direction) {
-    if (spot.solid == Spot::kOpen) return {kOpenPaint, 0, 0, true};
-    if (spot.solid == Spot::kCeiling) return {kCeilingPaint};
-    if (spot.solid == Spot::kFloor) {
+  Finish finish_at(const PixelHit& spot, const Vec3& at, const Vec3& direction) {
+    if (spot.solid == Shell::kOpen) return {kOpenPaint, 0, 0, true};
+    if (spot.solid == Shell::kCeiling) return {kCeilingPaint};
+    if (spot.solid == Shell::kFloor) {
       const Vec2 place = at.head<2>();
       if (room_ == nullptr || !contains(room_->polygon, place)) room_ = room_at(scene_, place);
       return {floor_paint(room_, place)};
@@ -262,7 +194,7 @@ class Painter {
       point.inner = point.at.cwiseQuotient(look.half);
     }
     Finish finish = finish_of(look, point);
-    if (!solid.clear && solid.skin != Skin::Liquid) finish.clear = 0;
+    finish.clear = solid.clear ? std::max(finish.clear, kLeastClear) : 0;
     constexpr double kDoor = 0.93;  // doors are slightly darker than the body
     if (solid.moves && !finish.glows) finish.colour *= kDoor;
     if (on_handle(solid, point)) finish = {{62, 62, 66}, 0.6};
@@ -272,21 +204,21 @@ class Painter {
   /// Computed once for two by two pixels that show one face.
   Vec3 light_at(int x, int y) {
     const int x0 = x & ~1, y0 = y & ~1;
-    const bool same = spots_[index(x, y)].same_face(spots_[index(x0, y0)]);
+    const bool same = same_face(spots_[index(x, y)], spots_[index(x0, y0)]);
     const int lx = same ? x0 : x, ly = same ? y0 : y;
     Eigen::Vector3f& light = lights_[index(lx, ly)];
-    if (light.x() < 0) light = lit(spots_[index(lx, ly)], camera_.at, way(lx, ly)).cast<float>();
+    if (light.x() < 0) light = lit(spots_[index(lx, ly)], way(lx, ly)).cast<float>();
     return light.cast<double>();
   }
 
   /// Ambient light, light from the camera, light from above where it is not blocked, that of lamps, and daylight
   /// through windows. Shadows are darkest where the thing that casts them touches.
-  Vec3 lit(const Spot& spot, const Vec3& from, const Vec3& direction) const {
-    if (spot.solid == Spot::kOpen) return Vec3::Ones();
+  Vec3 lit(const PixelHit& spot, const Vec3& direction) const {
+    if (spot.solid == Shell::kOpen) return Vec3::Ones();
     const double facing = std::abs(spot.normal.dot(direction.normalized()));
-    const Vec3 at = from + spot.depth * direction;
+    const Vec3 at = camera_.at + spot.depth * direction;
     const Vec3 lamps = sources_.empty() ? Vec3(Vec3::Zero()) : light_of(sources_, at, spot.normal);
-    if (spot.solid == Spot::kCeiling) return Vec3::Constant(0.9 + 0.1 * facing) + 0.3 * lamps;
+    if (spot.solid == Shell::kCeiling) return Vec3::Constant(0.9 + 0.1 * facing) + 0.3 * lamps;
     constexpr double kAround = 0.48, kEye = 0.24, kAbove = 0.3, kLift_m = 0.001, kCorner = 0.16, kCorner_m = 0.25;
     const double above = spot.normal.dot(kSun);
     double sun = above > 0 ? above : 0, around = kAround;
@@ -338,14 +270,16 @@ class Painter {
 
   /// Darkens outlines of objects, and less so edges between faces.
   double rim_at(int x, int y) const {
-    const Spot& here = spots_[index(x, y)];
+    const PixelHit& here = spots_[index(x, y)];
     constexpr double kEnd = 0.55, kFold = 0.85;
     double rim = 1;
     for (const auto& [nx, ny] : {std::pair{x + 1, y}, std::pair{x, y + 1}}) {
       if (nx >= camera_.width || ny >= camera_.height) continue;
-      const Spot& there = spots_[index(nx, ny)];
-      if (flows(here) || flows(there)) continue;
-      if (owner(here) != owner(there)) {
+      const PixelHit& there = spots_[index(nx, ny)];
+      if (same_face(here, there)) continue;
+      const Edge a = edge_of(here), b = edge_of(there);
+      if (a.none || b.none) continue;
+      if (a.owner != b.owner) {
         rim = std::min(rim, kEnd);
       } else if (here.solid >= 0 && there.solid >= 0) {
         constexpr double kStep = 0.02, kTurn = 0.8;
@@ -355,22 +289,20 @@ class Painter {
     }
     return rim;
   }
-  /// Water and flames have no outlines.
-  bool flows(const Spot& spot) const {
-    if (spot.solid < 0) return false;
-    const Skin skin = rays_.solids()[static_cast<std::size_t>(spot.solid)].skin;
-    return skin == Skin::Water || skin == Skin::Flame;
-  }
-  /// Owner of a spot; walls, floor, ceiling and openings have numbers of their own.
-  std::int32_t owner(const Spot& spot) const {
-    if (spot.solid < 0) return spot.solid - 1;
-    return rays_.solids()[static_cast<std::size_t>(spot.solid)].owner;
+
+  /// What a solid's outlines depend on.
+  struct Edge {
+    std::int32_t owner = -1;
+    bool none = false;  // water and flames have no outlines
+  };
+  /// Walls, floor, ceiling and openings have owners of their own.
+  Edge edge_of(const PixelHit& spot) const {
+    return spot.solid < 0 ? Edge{spot.solid - 1} : edges_[static_cast<std::size_t>(spot.solid)];
   }
 
   const Scene& scene_;
   const Camera& camera_;
   const Rays& rays_;
-  int step_;  // pixels between the first rays
   struct Body {
     Eigen::Matrix3d to_own;
     Vec3 centre;
@@ -378,11 +310,10 @@ class Painter {
   inline static const Eigen::Vector3f kDark{-1, -1, -1};  // not computed
   std::vector<Body> bodies_;                              // of the nodes
   std::vector<Look> looks_;                               // of the nodes
+  std::vector<Edge> edges_;                               // of the solids
   std::vector<LightSource> sources_;
   std::vector<Daylight> windows_;
-  std::vector<Spot> spots_;
-  std::vector<std::uint8_t> known_;  // by pixel: whether its spot is known
-  std::vector<std::uint8_t> thin_;   // by square of step_ pixels: whether a thin solid crosses it
+  std::vector<PixelHit> spots_;
   std::vector<Eigen::Vector3f> lights_;
   const Room* room_ = nullptr;  // of the last floor pixel; neighbouring ones are mostly in the same
 };
@@ -431,13 +362,13 @@ Picture picture_of(const ViewedScene& viewed, const Profile& profile, Rays& rays
   return picture_of(viewed, camera_of(viewed.scene.agent, profile), rays);
 }
 
-Picture picture_of(const ViewedScene& viewed, const Camera& camera, Rays& rays, int step) {
+Picture picture_of(const ViewedScene& viewed, const Camera& camera, Rays& rays) {
   const auto hidden = hidden_in(viewed);
-  auto solids = solids_of(viewed.scene, camera, kEverywhere_m, hidden, true);
+  auto solids = solids_of(viewed.scene, camera, kEverywhere_m, hidden);
   const auto in_hand = held_before(viewed.scene, camera);
-  for (const Node& node : in_hand) add_shown(node, owner_of(viewed.scene, node.id), viewed.scene.simulator, solids);
+  for (const Node& node : in_hand) add_solids(node, owner_of(viewed.scene, node.id), viewed.scene.simulator, solids);
   rays.build(std::move(solids));
-  return Painter(viewed.scene, camera, rays, in_hand, step).paint(hidden);
+  return Painter(viewed.scene, camera, rays, in_hand).paint(hidden);
 }
 
 std::optional<std::size_t> node_at(const ViewedScene& viewed, const Profile& profile, int x, int y, Rays& rays) {

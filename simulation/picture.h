@@ -19,16 +19,14 @@ struct Picture {
   std::vector<std::uint8_t> rgb;
 };
 
-inline constexpr int kPictureStep = 4;  // pixels between the first rays of a picture
-
 /// What the agent sees: every object in its colour, or that of its material, lit from above with short shadows, with
-/// dark edges. Rays through every fourth pixel, more where four of them do not agree on a face. Deterministic.
+/// dark edges. Each pixel shows what the ray through its middle meets, as boxes, segmentation and channels have it, but
+/// that what the agent holds is in the lower corners. Deterministic.
 Picture picture_of(const Scene& scene, const Profile& profile, Rays& rays);
 /// The same of a scene whose edges are not kept.
 Picture picture_of(const ViewedScene& viewed, const Profile& profile, Rays& rays);
-/// What another camera sees of it; what the agent holds is in the lower corners, as if it were its eye. `step`: pixels
-/// between the first rays; with 1 there is one through every pixel.
-Picture picture_of(const ViewedScene& viewed, const Camera& camera, Rays& rays, int step = kPictureStep);
+/// What another camera sees of it; what the agent holds is in the lower corners, as if it were its eye.
+Picture picture_of(const ViewedScene& viewed, const Camera& camera, Rays& rays);
 /// The node that one pixel shows, as segmentation_of finds it; nullopt for none and for pixels outside of the image.
 std::optional<std::size_t> node_at(const ViewedScene& viewed, const Profile& profile, int x, int y, Rays& rays);
 

@@ -13,7 +13,7 @@ namespace unietp {
 namespace {
 
 constexpr double kUpward = 0.7;      // cosine of about 45°
-constexpr double kSunk_m = 0.01;     // tolerance below a cavity's floor
+constexpr double kBelowFloor_m = 0.01;     // tolerance below a cavity's floor
 constexpr double kOverhead_m = 2.0;  // `under`: largest distance of what is above
 constexpr double kStickOut = 0.85;   // an object's lowest part must be below this fraction of an open cavity's height
 
@@ -34,7 +34,7 @@ bool lies_in(const Node& node, const Node& container, const Shape& shape) {
     if (std::abs(centre.x()) > cavity.half.x() || std::abs(centre.y()) > cavity.half.y()) continue;
     double lowest = std::numeric_limits<double>::infinity();
     for (const Vec3& corner : corners_of(node)) lowest = std::min(lowest, (to_cavity * corner - cavity.centre).z());
-    if (lowest < -cavity.half.z() - kSunk_m) continue;
+    if (lowest < -cavity.half.z() - kBelowFloor_m) continue;
     const double highest_start = cavity.half.z() * (2 * kStickOut - 1);
     const bool in = cavity.open_above ? lowest < highest_start : std::abs(centre.z()) <= cavity.half.z();
     if (in) return true;

@@ -100,7 +100,8 @@ std::vector<std::size_t> hidden_from_sight(const Scene& scene) {
 }
 
 double sight_radius(const Node& node) {
-  return node.opening > 0 ? node.size.norm() : node.size.norm() / 2;  // an open door may be as wide as the body
+  const double body = node.opening > 0 ? node.size.norm() : node.size.norm() / 2;  // a door may be as wide as the body
+  return body + reach_of_states(node);
 }
 
 const ShapeFamily* family_of(const Node& node, Simulator simulator) {
@@ -116,21 +117,16 @@ void add_solids(const Node& node, std::int32_t owner, Simulator simulator, std::
       add_piece(piece, node, owner, solids);
   }
   if (family == nullptr || family->keeps_body) add_archetype(node, owner, solids);
-  if (!seen_through(node)) return;
-  const Matter own = matter_of(node, family);
-  for (std::size_t i = first; i < solids.size(); ++i)
-    solids[i].clear = !solids[i].screen && solids[i].matter.value_or(own) == Matter::Glass;
-}
-
-void add_shown(const Node& node, std::int32_t owner, Simulator simulator, std::vector<Solid>& solids) {
-  const std::size_t first = solids.size();
-  add_solids(node, owner, simulator, solids);
-  const ShapeFamily* family = family_of(node, simulator);
+  if (seen_through(node)) {
+    const Matter own = matter_of(node, family);
+    for (std::size_t i = first; i < solids.size(); ++i)
+      solids[i].clear = !solids[i].screen && solids[i].matter.value_or(own) == Matter::Glass;
+  }
   add_state_solids(node, owner, first, family != nullptr && family->shows_open, solids);
 }
 
 std::vector<Solid> solids_of(const Scene& scene, const Camera& camera, double farthest,
-                             const std::vector<std::size_t>& hidden, bool states) {
+                             const std::vector<std::size_t>& hidden) {
   std::vector<Solid> solids;
   const auto matters = [&](const Vec3& centre, double radius) {
     return (centre - camera.at).norm() - radius <= farthest && camera.may_show(centre, radius);
@@ -139,8 +135,7 @@ std::vector<Solid> solids_of(const Scene& scene, const Camera& camera, double fa
     const Node& node = scene.nodes[i];
     if (!matters(node.pose.position, sight_radius(node))) continue;
     if (std::binary_search(hidden.begin(), hidden.end(), i)) continue;
-    const auto owner = static_cast<std::int32_t>(i);
-    states ? add_shown(node, owner, scene.simulator, solids) : add_solids(node, owner, scene.simulator, solids);
+    add_solids(node, static_cast<std::int32_t>(i), scene.simulator, solids);
   }
   for (const WallPiece& piece : walls_of(scene)) {
     if (matters(piece.pose.position, piece.size.norm() / 2))

@@ -14,22 +14,20 @@ namespace unietp {
 /// picture), and what is inside something closed.
 std::vector<std::size_t> hidden_from_sight(const Scene& scene);
 
-/// Radius of a sphere around the centre of an object's box that contains all its parts, doors included.
+/// Radius of a sphere around the centre of an object's box that contains all that is seen of it, doors, cords and water
+/// included.
 double sight_radius(const Node& node);
 
 /// The shape of an object for the eye; nullptr for those that look like their archetype or have boards.
 const ShapeFamily* family_of(const Node& node, Simulator simulator);
 
-/// Appends the solids that an object is seen as: the pieces of its category's shape, or the parts of its archetype.
-/// `owner` is stored in each.
+/// Appends the solids that an object is seen as: the pieces of its category's shape, or the parts of its archetype, and
+/// what shows its states (state_solids.h). `owner` is stored in each.
 void add_solids(const Node& node, std::int32_t owner, Simulator simulator, std::vector<Solid>& solids);
 
-/// The same, and what shows states (state_solids.h).
-void add_shown(const Node& node, std::int32_t owner, Simulator simulator, std::vector<Solid>& solids);
-
 /// The solids at most `farthest` metres away that an image of this camera may show: objects but the hidden ones, in
-/// order of the nodes, then walls. `states`: with what shows states.
+/// order of the nodes, then walls.
 std::vector<Solid> solids_of(const Scene& scene, const Camera& camera, double farthest,
-                             const std::vector<std::size_t>& hidden, bool states = false);
+                             const std::vector<std::size_t>& hidden);
 
 }  // namespace unietp

@@ -44,6 +44,7 @@ Solid filling_of(const Solid& vessel, double full) {
   Solid filling = vessel;
   filling.kind = vessel.kind == SolidKind::Cup ? SolidKind::Cone : SolidKind::Wedge;
   filling.skin = Skin::Liquid;
+  filling.clear = true;
   filling.low = kInside * low;
   filling.high = kInside * (low + level * (high - low));
   filling.axes.col(2) *= (top - bottom) / 2;
@@ -66,6 +67,7 @@ void add_liquid(const Shape& shape, double level, double opening, std::size_t fi
     const double full = level_in(level, cavity.half.head<2>().minCoeff(), cavity.half.z());
     const Vec3 size(2 * cavity.half.x(), 2 * cavity.half.y(), 2 * full * cavity.half.z());
     extras.box(cavity.centre - Vec3(0, 0, cavity.half.z() * (1 - full)), size, Skin::Liquid);
+    solids.back().clear = true;
   }
 }
 
@@ -119,15 +121,27 @@ void add_flame(Extras& extras) {
   extras.add(SolidKind::Sphere, {0, 0, top + 1.6 * wide}, Vec3::Constant(0.4 * wide), Skin::Flame);
 }
 
-/// A dark mouth above, or in front of what is higher than it is wide, and the flap that was over it.
-void add_mouth(Extras& extras) {
+/// The flap that was over what stands open, and a dark mouth below it on what shows no hollow.
+void add_flap(bool hollow, Extras& extras) {
   const Vec3& h = extras.half;
   const double thin = std::clamp(0.04 * h.minCoeff(), 0.001, 0.01);
-  extras.box({0, 0, h.z()}, {1.7 * h.x(), 1.7 * h.y(), 2 * thin}, Skin::Mouth);
+  if (!hollow) extras.box({0, 0, h.z()}, {1.7 * h.x(), 1.7 * h.y(), 2 * thin}, Skin::Mouth);
   extras.box({0, h.y(), h.z() + 0.8 * h.y()}, {1.9 * h.x(), 3 * thin, 1.6 * h.y()}, Skin::Flap);
 }
 
 }  // namespace
+
+double reach_of_states(const Node& node) {
+  constexpr double kCord_m = 0.5, kFall_m = 0.8, kFlap = 0.9;  // of the depth
+  double reach = 0;
+  for (const State& state : node.states.all()) {
+    if (state.predicate == Predicate::PluggedIn || state.predicate == Predicate::Unplugged)
+      reach = std::max(reach, kCord_m);
+    if (state.predicate == Predicate::PowerOn) reach = std::max(reach, kFall_m);
+    if (state.predicate == Predicate::Open) reach = std::max(reach, kFlap * node.size.y());
+  }
+  return reach;
+}
 
 void add_state_solids(const Node& node, std::int32_t owner, std::size_t first, bool shows_open,
                       std::vector<Solid>& solids) {
@@ -141,9 +155,14 @@ void add_state_solids(const Node& node, std::int32_t owner, std::size_t first, b
   if (look.level > 0) add_liquid(shape, look.level, node.opening, first, solids, extras);
   if (taps) add_water(node, shape, extras);
   if (look.on && look.device == Device::Flame) add_flame(extras);
-  const auto swings = [](const Solid& solid) { return solid.moves; };
-  const auto own = solids.begin() + static_cast<std::ptrdiff_t>(first);
-  if (open && !shows_open && std::none_of(own, solids.end(), swings)) add_mouth(extras);
+  const auto any = [&](auto is) {
+    return std::any_of(solids.begin() + static_cast<std::ptrdiff_t>(first), solids.end(), is);
+  };
+  const bool swings = any([](const Solid& solid) { return solid.moves; });
+  const auto is_hollow = [](const Solid& solid) {
+    return solid.kind == SolidKind::Cup || solid.kind == SolidKind::Crate;
+  };
+  if (open && !shows_open && !swings) add_flap(any(is_hollow), extras);
   if (node.states.has(Predicate::PluggedIn)) add_plug(true, extras);
   if (node.states.has(Predicate::Unplugged)) add_plug(false, extras);
 }

@@ -180,8 +180,8 @@ const std::shared_ptr<const Viewer::Body>& Viewer::body_of(const Scene& scene, s
 }
 
 std::vector<std::size_t> ViewedScene::shown_within(const Camera& camera, double sight_m) const {
-  constexpr std::size_t kFew = 512;  // for so few a linear scan is faster than the grid
-  constexpr double kAround_m = 0.05;
+  constexpr std::size_t kFew = 512;   // for so few a linear scan is faster than the grid
+  constexpr double kAround_m = 0.85;  // what shows states stands out of bodies
   if (near && sight_m < kEndless_m && scene.nodes.size() > kFew) {
     // Intersecting both boxes implies intersecting their common part, since both contain the camera.
     const Bounds shown = camera.shown_up_to(kEndless_m);

@@ -104,12 +104,12 @@ Shot shot_of(const Scene& scene, const Profile& profile, Viewpoint viewpoint, Ra
 Picture picture_from(const Scene& scene, const Profile& profile, Viewpoint viewpoint, Rays& rays) {
   if (viewpoint == Viewpoint::Agent) return picture_of(scene, profile, rays);
   const Shot shot = shot_of(scene, profile, viewpoint, rays);
-  return picture_of(viewed(shot.scene), shot.camera, rays, 1);
+  return picture_of(viewed(shot.scene), shot.camera, rays);
 }
 
 Channels channels_from(const Scene& scene, const Profile& profile, Viewpoint viewpoint, Rays& rays) {
   const Shot shot = shot_of(scene, profile, viewpoint, rays);
-  return channels_of(shot.scene, shot.camera, rays);
+  return channels_of(shot.scene, shot.camera);
 }
 
 }  // namespace unietp

@@ -37,7 +37,7 @@ Scene with_agent(const Scene& scene, const Profile& profile);
 /// `rays` is scratch space. Deterministic.
 Shot shot_of(const Scene& scene, const Profile& profile, Viewpoint viewpoint, Rays& rays);
 
-/// The picture from there: the agent's own is that of picture_of; others have a ray through every pixel.
+/// The picture from there: the agent's own is that of picture_of.
 Picture picture_from(const Scene& scene, const Profile& profile, Viewpoint viewpoint, Rays& rays);
 /// The same pixels as numbers. Of `node`, the size of scene.nodes stands for the agent's body.
 Channels channels_from(const Scene& scene, const Profile& profile, Viewpoint viewpoint, Rays& rays);

@@ -2,65 +2,13 @@
 
 #include <utility>
 
+#include "simulation/coverage.h"
+
 namespace unietp {
 namespace {
 
-constexpr double kSlack = 1e-9;  // far above rounding errors; closer cases are decided by rays
-
-bool within(const PixelBox& inner, const PixelBox& outer) {
-  return inner[0] >= outer[0] && inner[1] >= outer[1] && inner[2] <= outer[2] && inner[3] <= outer[3];
-}
-
 PixelBox common_part(const PixelBox& a, const PixelBox& b) {
   return {std::max(a[0], b[0]), std::max(a[1], b[1]), std::min(a[2], b[2]), std::min(a[3], b[3])};
-}
-
-/// How a solid covers a part of the image.
-struct Coverage {
-  bool any = true;                        // false: certainly no pixel
-  bool whole = true;                      // true: certainly every pixel
-  double nearest = 0, farthest = kNever;  // depth range of the visible part
-};
-
-/// Of one whose cover meets the part. `fills`: the solid is known to cover every pixel.
-Coverage coverage_of(const Outline& outline, const PixelBox& part, const PartOfImage& middles, bool fills,
-                     const Camera& camera) {
-  Coverage share;
-  bool around_covers = true;  // perhaps, the box around a round solid
-  if (!fills) {
-    const auto [least, most] = outline.sides.least_in(middles);
-    if (most < -kSlack) return {false, false, 0, 0};
-    share.whole = !outline.round && outline.side_count > 0 && least > kSlack;
-    around_covers = least > -kSlack && within(part, outline.cover);
-  }
-  const auto [least, most] = outline.faces.least_in(middles);  // of 1 / depth
-  if (outline.face_count > 0 && most < -kSlack) return {false, false, 0, 0};
-  share.nearest = std::max(outline.nearest, most > kSlack ? 1 / most - kSlack : 0.0);
-  if (!outline.round && least > kSlack) share.farthest = 1 / least + kSlack;
-  if (outline.round && around_covers) {  // convex: it covers the part if it covers all four corners
-    share.farthest = 0;
-    for (const auto& [x, y] : {std::pair{part[0], part[1]}, std::pair{part[2], part[3]}, std::pair{part[0], part[3]},
-                               std::pair{part[2], part[1]}}) {
-      share.farthest = std::max(share.farthest, outline.depth_at(camera, x, y) + kSlack);
-      if (share.farthest == kNever) break;
-    }
-    share.whole = share.farthest < kNever;
-    if (share.whole && outline.target.hollow()) share.farthest = outline.farthest + kSlack;  // deeper between them
-  }
-  return share;
-}
-
-/// Whether a box that covers a part is nearer than another solid in every pixel: one face of the solid behind is
-/// everywhere deeper than every face in front.
-bool certainly_before(const Outline& front, const Outline& behind, const PartOfImage& middles) {
-  const auto &faces = front.faces, &other = behind.faces;
-  for (Eigen::Index i = 0; i < behind.face_count; ++i) {
-    const auto a = other.a[i] - faces.a, b = other.b[i] - faces.b, c = other.c[i] - faces.c;
-    const auto most =
-        a * middles.middle.x() + b * middles.middle.y() + c + a.abs() * middles.half.x() + b.abs() * middles.half.y();
-    if (most.maxCoeff() < -kSlack) return true;
-  }
-  return false;
 }
 
 }  // namespace
@@ -95,7 +43,9 @@ std::optional<PixelBox> VisibleBoxes::of(std::int32_t owner) {
     if (meet(one.cover, *cover))
       (one.owner == owner ? own_ : others_).push_back({one.outline, false, one.nearest, one.cover});
   }
-  explore(*cover, {0, own_.size(), 0, others_.size()});
+  const Ranges all{0, own_.size(), 0, others_.size()};
+  explore(*cover, all);
+  if (box_ && !shows_enough(*cover, all)) box_.reset();
   return box_;
 }
 
@@ -166,10 +116,10 @@ void VisibleBoxes::gather(Stack& stack, std::size_t begin, std::size_t end, cons
   }
 }
 
-void VisibleBoxes::explore_part(const PixelBox& part, const Ranges& among) {
+VisibleBoxes::Ranges VisibleBoxes::narrow(const PixelBox& part, const Ranges& among, double& filled) {
   // Those that may be visible in the part, up to the depth of the first that covers it.
   Ranges here{own_.size(), 0, others_.size(), 0};
-  double filled = kNever;
+  filled = kNever;
   gather(own_, among.own, among.own_end, part, filled);
   gather(others_, among.others, among.others_end, part, filled);
   const auto drop_hidden = [filled](Stack& stack, std::size_t from) {
@@ -180,6 +130,12 @@ void VisibleBoxes::explore_part(const PixelBox& part, const Ranges& among) {
   here.own_end = drop_hidden(own_, here.own);
   here.others_end = drop_hidden(others_, here.others);
   if (here.own_end > here.own && here.others_end > here.others) drop_hidden_behind_boxes(part, here);
+  return here;
+}
+
+void VisibleBoxes::explore_part(const PixelBox& part, const Ranges& among) {
+  double filled = kNever;
+  const Ranges here = narrow(part, among, filled);
   const bool any_own = here.own_end > here.own, any_other = here.others_end > here.others;
   if (any_own && !any_other && filled < kNever) {
     box_ = box_ ? around(*box_, part) : part;
@@ -231,6 +187,46 @@ void VisibleBoxes::cut(const PixelBox& part, const Ranges& among) {
   const bool far_first = box_ && part[axis + 2] - (*box_)[axis + 2] > (*box_)[axis] - part[axis];
   explore(far_first ? far : low, among);
   explore(far_first ? low : far, among);
+}
+
+bool VisibleBoxes::shows_enough(const PixelBox& cover, const Ranges& among) {
+  const auto pixels = [](const PixelBox& box) {
+    return std::int64_t{box[2] - box[0] + 1} * std::int64_t{box[3] - box[1] + 1};
+  };
+  const auto enough = [](std::int64_t seen, std::int64_t silhouette) {
+    return seen >= kLeastSeenPixels && kLeastSeenPart * seen >= silhouette;
+  };
+  counted_ = 0;
+  const std::int64_t most = std::max<std::int64_t>(kLeastSeenPixels, pixels(cover) / kLeastSeenPart + 1);
+  count(*box_, among, most);
+  if (counted_ >= most || counted_ < kLeastSeenPixels) return enough(counted_, pixels(cover));
+  const std::int64_t seen = std::exchange(counted_, 0);
+  count(cover, {among.own, among.own_end, among.others, among.others}, kLeastSeenPart * seen + 1);
+  return enough(seen, counted_);
+}
+
+void VisibleBoxes::count(const PixelBox& part, const Ranges& among, std::int64_t limit) {
+  if (counted_ >= limit) return;
+  const int wide = part[2] - part[0] + 1, high = part[3] - part[1] + 1;
+  if (wide == 1 && high == 1) {
+    counted_ += shows_owner(part[0], part[1], among) ? 1 : 0;
+    return;
+  }
+  double filled = kNever;
+  const Ranges here = narrow(part, among, filled);
+  const bool any_own = here.own_end > here.own, any_other = here.others_end > here.others;
+  if (any_own && !any_other && filled < kNever) {
+    counted_ += std::int64_t{wide} * high;
+  } else if (any_own) {
+    const std::size_t axis = wide >= high ? 0 : 1;
+    PixelBox low = part, far = part;
+    low[axis + 2] = (part[axis] + part[axis + 2]) / 2;
+    far[axis] = low[axis + 2] + 1;
+    count(low, here, limit);
+    count(far, here, limit);
+  }
+  own_.resize(here.own);
+  others_.resize(here.others);
 }
 
 bool VisibleBoxes::shows_owner(int x, int y, const Ranges& among) const {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "simulation/outline.h"
+#include "simulation/coverage.h"
 
 namespace unietp {
 
@@ -18,10 +18,10 @@ inline PixelBox around(const PixelBox& a, const PixelBox& b) {
   return {std::min(a[0], b[0]), std::min(a[1], b[1]), std::max(a[2], b[2]), std::max(a[3], b[3])};
 }
 
-/// Whether two boxes share a pixel.
-inline bool meet(const PixelBox& a, const PixelBox& b) {
-  return a[0] <= b[2] && b[0] <= a[2] && a[1] <= b[3] && b[1] <= a[3];
-}
+/// An object counts as seen if the image shows at least this many pixels of it, and at least this share of those that
+/// it would show if nothing were before it.
+inline constexpr int kLeastSeenPixels = 4;
+inline constexpr int kLeastSeenPart = 100;  // one of so many
 
 /// Boxes around the visible pixels of an object, exactly as a ray through the center of each pixel would find them,
 /// through whatever glass lies before it.
@@ -32,7 +32,7 @@ class VisibleBoxes {
   /// Both must outlive it. Of solids at equal depths the first in the list is visible.
   VisibleBoxes(const Camera& camera, const std::vector<Outline>& outlines);
 
-  /// The box of an object by the number of its outlines' owner; nullopt when no pixel shows it.
+  /// The box of an object by the number of its outlines' owner; nullopt when too little of it is seen.
   std::optional<PixelBox> of(std::int32_t owner);
 
  private:
@@ -54,6 +54,12 @@ class VisibleBoxes {
   void probe(const Outline& outline, const Vec2& corner, const Ranges& among);
   void explore(const PixelBox& whole, const Ranges& among);
   void explore_part(const PixelBox& part, const Ranges& among);
+  /// Pushes those that may be visible in the part; `filled`: the depth behind which nothing is visible in it.
+  Ranges narrow(const PixelBox& part, const Ranges& among, double& filled);
+  /// Whether the object counts as seen, of which the box is known. `cover`: of its outlines.
+  bool shows_enough(const PixelBox& cover, const Ranges& among);
+  /// Adds the pixels of a part that show it to `counted_`, until that is `limit`.
+  void count(const PixelBox& part, const Ranges& among, std::int64_t limit);
   /// The rectangle of a part in which the owner's solids may be visible, if it could enlarge the box.
   std::optional<PixelBox> worth_exploring(const PixelBox& part, const Ranges& among) const;
   /// Drops the owner's solids that a box of another object hides in the whole part, and vice versa.
@@ -78,7 +84,8 @@ class VisibleBoxes {
   std::int32_t owner_ = -1;
   std::optional<PixelBox> box_;
   bool probed_ = false;
-  Stack own_, others_;  // the owner's solids and the others, of all parts on the recursion path
+  std::int64_t counted_ = 0;  // pixels
+  Stack own_, others_;        // the owner's solids and the others, of all parts on the recursion path
 };
 
 }  // namespace unietp

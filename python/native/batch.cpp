@@ -108,6 +108,7 @@ class SharedBatch {
     return batch_.at(environment);
   }
   std::size_t size() const { return batch_.size(); }
+  std::vector<Channels> channels() const { return batch_.channels(); }
   const ArrayForm& form(std::size_t environment) const { return forms_.at(environment); }
 
   /// Calls work(*this) without the interpreter's lock, one thread at a time.
@@ -199,6 +200,16 @@ void define_batch(nb::module_& module) {
       .def("step", &batch_step, "action"_a, "One answer for each environment. Gives what reset gives.")
       .def("step_numbers", &batch_numbers, "actions"_a, "arguments"_a, "boxes"_a,
            "The same for actions of Gymnasium's action space.")
+      .def(
+          "channels",
+          [](SharedBatch& self) {
+            nb::list all;
+            for (Channels& one : self.alone([](SharedBatch& own) { return own.channels(); }))
+              all.append(to_python(std::move(one), {}));
+            return all;
+          },
+          nb::sig("def channels(self) -> list[dict[str, typing.Any]]"),
+          "Of the picture of each; `ids` of the objects are left out.")
       .def(
           "observe",
           [](SharedBatch& self, std::size_t environment) {

@@ -18,7 +18,7 @@ def single_bytes(observation):
 @pytest.mark.parametrize("threads", [1, 3])
 @pytest.mark.parametrize("mode", ["M1", "M3"])
 def test_a_batch_equals_single_environments(folder, mode, threads):
-    count, settings = 5, {"image_width": 32, "image_height": 32, "failures": 3}
+    count, settings = 5, {"image_width": 32, "image_height": 32, "failures": 3, "channels": ["depth", "normals"]}
     envs = unietp.make_vec(count, folder, mode, threads=threads, **settings)
     singles = [unietp.make(folder, mode, **settings) for _ in range(count)]
     observation, info = envs.reset(seed=21)

@@ -176,8 +176,7 @@ class TaskEnv(gymnasium.Env[dict[str, np.ndarray], Any]):
             where nothing is; "normals" float32 (height, width, 3), unit vectors of the surface in the camera's frame (x
             right, y down, z ahead), 0 where nothing is; "instances" int32 (height, width), positions in "ids"; "ids",
             whose first is "" (walls, floor, ceiling) and whose last is "agent" where it is shown. All but the color are
-            of the nearest surface, glass included, and leave out liquids, flames and what the agent's own camera shows
-            in its hands.
+            of the nearest surface, glass included, and leave out what the agent's own camera shows in its hands.
 
         Raises:
             Error: there is no such camera, or the size is out of range.
@@ -214,7 +213,7 @@ class TaskEnv(gymnasium.Env[dict[str, np.ndarray], Any]):
         if self._env_spaces.channels:
             seen = native.channels(0, 0)
             for name in self._env_spaces.channels:
-                readable[name] = np.clip(seen[name], -1, 1) if name == "normals" else seen[name]
+                readable[name] = self._env_spaces.bounded(name, seen[name])
                 arrays[name] = self._env_spaces.padded(readable[name])
         info: dict[str, Any] = {"task": native.task.id, "observation": readable}
         if self._privileged:

@@ -74,6 +74,7 @@ def make_vec(
     *,
     threads: int | None = None,
     procedural: dict[str, Any] | None = None,
+    channels: Sequence[str] = (),
     max_things: int = 512,
     **settings: Any,
 ) -> VectorTaskEnv:
@@ -83,7 +84,7 @@ def make_vec(
     """
     return gymnasium.make_vec(
         _name_of(mode), num_envs, vectorization_mode="vector_entry_point", dataset=_plain(tasks), procedural=procedural,
-        threads=threads, max_things=max_things, **settings,
+        threads=threads, channels=channels, max_things=max_things, **settings,
     )  # type: ignore[return-value]
 
 
@@ -126,11 +127,12 @@ def make_batch(
     dataset: str | None = None,
     procedural: dict[str, Any] | None = None,
     threads: int | None = None,
+    channels: Sequence[str] = (),
     max_things: int = 512,
     **settings: Any,
 ) -> VectorTaskEnv:
     source = _task_source(dataset, procedural)
-    return VectorTaskEnv(num_envs, source, _env_spaces(source, mode, settings, max_things), threads=threads)
+    return VectorTaskEnv(num_envs, source, _env_spaces(source, mode, settings, max_things, channels), threads=threads)
 
 
 def _name_of(mode: str) -> str:

@@ -72,6 +72,10 @@ class EnvironmentSpaces:
         framed[: image.shape[0], : image.shape[1]] = image
         return framed
 
+    def bounded(self, name: str, channel: np.ndarray) -> np.ndarray:
+        """A channel within the bounds of the space: rounding leaves normals a little longer than 1."""
+        return np.clip(channel, -1, 1) if name == "normals" else channel
+
 
 def action_bytes(action: Any) -> bytes:
     """An action that is no dict of numbers as bytes for the environment, which reads any. Never raises."""

@@ -110,5 +110,9 @@ class VectorTaskEnv(VectorEnv[dict[str, np.ndarray], Any, np.ndarray]):
         arrays, pictures, *rest = result
         if pictures:
             arrays["image"] = np.stack([self._env_spaces.padded(picture) for picture in pictures])
+        if self._env_spaces.channels:
+            spaces, seen = self._env_spaces, self._open_batch().channels()
+            for name in self._env_spaces.channels:
+                arrays[name] = np.stack([spaces.padded(spaces.bounded(name, one[name])) for one in seen])
         ids = np.array([self._open_batch().task_id(i) for i in range(self.num_envs)], dtype=object)
         return arrays, {"task": ids, "_task": np.ones(self.num_envs, bool)}, rest

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 using Json = nlohmann::ordered_json;
 
-const fs::path kHomes = fs::path(UNIETP_SOURCE_DIR) / "tests" / "end_to_end" / "homes";
+const fs::path kScenes = fs::path(UNIETP_SOURCE_DIR) / "tests" / "end_to_end" / "homes";
 
 struct NativeSample {
   std::string simulator, file;
@@ -47,7 +47,7 @@ class Native : public ::testing::TestWithParam<NativeSample> {};
 TEST_P(Native, TasksAreInTheSimulatorsOwnSceneAndItsFormExpressesThem) {
   const auto& sample = GetParam();
   const ScratchFolder folder;
-  const auto made = make_native((kHomes / sample.file).string(), folder.at("tasks"), 2);
+  const auto made = make_native((kScenes / sample.file).string(), folder.at("tasks"), 2);
   ASSERT_EQ(made.code, 0) << made.out << made.err;
   const auto verdict = validate(folder.at("tasks"));
   EXPECT_EQ(verdict.code, 0);

@@ -1,5 +1,7 @@
 #include "serve/protocol.h"
 
+#include <set>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -143,6 +145,26 @@ TEST_F(ProtocolClient, ACallNeedsNoSessionWhereThereIsOnlyOneAndRefusesUnknownOn
   EXPECT_EQ(code("observe"), number(CallFailure::NotReset));  // the other is the only one now
 }
 
+TEST_F(ProtocolClient, RendersDepthAndNormalsOfWhatTheAgentSees) {
+  opened();
+  result("reset", {{"procedural", 1}});
+  const auto seen = [&](const char* channel) {
+    return result("render", {{"channel", channel}, {"width", 48}, {"height", 32}});
+  };
+  const auto depth = seen("depth"), normals = seen("normals"), color = seen("color");
+  EXPECT_EQ(depth["width"], 48);
+  EXPECT_EQ(depth["height"], 32);
+  EXPECT_FALSE(depth.contains("ids"));
+  const std::set<std::string> files{depth["png"], normals["png"], color["png"]};
+  EXPECT_EQ(files.size(), 3U);
+  for (const std::string& file : files) EXPECT_THAT(file, StartsWith("iVBORw0KGgo"));  // PNG in base64
+  EXPECT_EQ(seen("depth"), depth);
+  result("step", {{"action", "turn_left"}});
+  EXPECT_NE(seen("depth"), depth);
+  EXPECT_EQ(code("render", {{"channel", "instances"}}), number(CallFailure::NotAllowed));
+  EXPECT_EQ(code("render", {{"camera", "above"}}), number(CallFailure::NotAllowed));
+}
+
 TEST_F(ProtocolClient, AnObservationThatIsKnownAlreadyIsNotSentAgain) {
   opened();
   result("reset", {{"procedural", 1}});
@@ -163,6 +185,9 @@ TEST_F(ProtocolClient, ParametersAreReadStrictly) {
   EXPECT_EQ(code("step"), wrong);
   EXPECT_EQ(code("observe", {{"turn", 1.5}}), wrong);
   EXPECT_EQ(code("render", {{"boxes", "yes"}}), wrong);
+  EXPECT_EQ(code("render", {{"boxes", true}, {"channel", "depth"}}), wrong);
+  EXPECT_EQ(code("render", {{"channel", "heat"}}), wrong);
+  EXPECT_EQ(code("render", {{"width", 8}}), wrong);
   EXPECT_EQ(code("open", {{"mode", "M4"}}), wrong);
   EXPECT_EQ(code("open", {{"pictures", 1}}), wrong);
   EXPECT_EQ(code("open", {{"picture", false}, {"pictures", true}}), wrong);
@@ -235,6 +260,19 @@ TEST_F(PrivilegedClient, AsksForGoalProgressAndScene) {
   EXPECT_TRUE(state["scene"].contains("nodes"));
   EXPECT_EQ(state["expert_steps_left"], 3);  // pick_up, place_on, stop: both are within reach
   EXPECT_FALSE(result("state").contains("scene"));
+}
+
+TEST_F(PrivilegedClient, RendersOtherCamerasAndTheObjectsOfPixels) {
+  opened();
+  result("reset", {{"procedural", 1}});
+  const auto own = result("render", {{"channel", "instances"}});
+  const auto above = result("render", {{"channel", "instances"}, {"camera", "above"}, {"width", 64}, {"height", 64}});
+  EXPECT_EQ(own["ids"][0], "");
+  EXPECT_THAT(own["ids"].get<std::vector<std::string>>(), ::testing::Contains("mug_1"));
+  EXPECT_EQ(above["ids"].size(), own["ids"].size() + 1);
+  EXPECT_EQ(above["ids"].back(), "agent");
+  EXPECT_NE(above["png"], own["png"]);
+  EXPECT_EQ(code("render", {{"camera", "below"}}), number(CallFailure::WrongParameters));
 }
 
 class FewSessions : public ProtocolClient {

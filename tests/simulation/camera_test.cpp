@@ -9,38 +9,18 @@
 #include "core/png.h"
 #include "core/rng.h"
 #include "simulation/channels.h"
+#include "simulation/first_solids.h"
 #include "simulation/picture.h"
 #include "simulation/relations.h"
 #include "simulation/solids.h"
 #include "simulation/view.h"
 #include "simulation/walls.h"
 #include "simulation/world.h"
+#include "tests/simulation/by_rays.h"
 #include "tests/simulation/kitchen.h"
 
 namespace unietp {
 namespace {
-
-using Box = std::array<int, 4>;
-
-struct Seen {
-  int pixels = 0;
-  Box box{1 << 20, 1 << 20, -1, -1};
-};
-
-/// The box around the pixels of each node.
-std::vector<Seen> seen_in(const Segmentation& image, std::size_t nodes) {
-  std::vector<Seen> seen(nodes);
-  const auto shows = [&](std::size_t pixel, std::int32_t node) {
-    if (node < 0) return;
-    const int x = static_cast<int>(pixel) % image.width, y = static_cast<int>(pixel) / image.width;
-    Seen& one = seen[static_cast<std::size_t>(node)];
-    ++one.pixels;
-    one.box = {std::min(one.box[0], x), std::min(one.box[1], y), std::max(one.box[2], x), std::max(one.box[3], y)};
-  };
-  for (std::size_t pixel = 0; pixel < image.node.size(); ++pixel) shows(pixel, image.node[pixel]);
-  for (const Segmentation::Through& one : image.through) shows(one.pixel, one.node);
-  return seen;
-}
 
 Profile profile_of(Simulator simulator) { return *load_profile(UNIETP_SOURCE_DIR "/data/simulators", simulator); }
 
@@ -60,6 +40,81 @@ Scene drawn_view(Simulator simulator, Rng& rng) {
 
 class ACamera : public ::testing::TestWithParam<Simulator> {};
 
+/// Things that cross, stand in each other and are as thin as a wire, with glass among them.
+TEST_P(ACamera, ShowsInEveryPixelOfPictureAndChannelsWhatTheRayThroughItMeets) {
+  const Profile profile = profile_of(GetParam());
+  Rng rng(25);
+  Rays rays;
+  std::size_t solids = 0;
+  for (int i = 0; i < 6; ++i) {
+    SCOPED_TRACE(i);
+    Scene scene = drawn_view(GetParam(), rng);
+    const std::vector<Node> before(scene.nodes.begin(), scene.nodes.end());
+    for (int k = 0; k < 40; ++k) {
+      Node more = rng.pick(before);
+      more.id += "_" + std::to_string(k);
+      more.pose = {{rng.uniform(0, 5), rng.uniform(0, 4), rng.uniform(0, 2)},
+                   Quat(Eigen::AngleAxisd(rng.uniform(-3, 3), Vec3(1, rng.unit(), rng.unit()).normalized()))};
+      if (rng.chance(0.3)) more.size[static_cast<Eigen::Index>(rng.below(3))] = 0.004;
+      if (rng.chance(0.2)) more.material = "glass";
+      if (rng.chance(0.3)) more.states.set({Predicate::PowerOn, ""});
+      if (rng.chance(0.3)) more.states.set({Predicate::Unplugged, ""});
+      scene.nodes.push_back(std::move(more));
+    }
+    const Camera camera = camera_of(scene.agent, profile);
+    rays.build(solids_of(scene, camera, kEndless_m, hidden_from_sight(scene)));
+    const std::vector<PixelHit> hits = first_solids(rays.solids(), camera);
+    std::set<std::int32_t> met;
+    for (std::size_t pixel = 0; pixel < hits.size(); ++pixel) {
+      const int x = static_cast<int>(pixel) % camera.width, y = static_cast<int>(pixel) / camera.width;
+      const auto hit = rays.first(camera.at, camera.ray(x + 0.5, y + 0.5), kEndless_m);
+      ASSERT_EQ(hits[pixel].solid, hit ? static_cast<std::int32_t>(hit->solid) : -1) << x << ", " << y;
+      if (!hit) continue;
+      ASSERT_NEAR(hits[pixel].depth, hit->along, 1e-9) << x << ", " << y;
+      ASSERT_LT((hits[pixel].normal - hit->normal).norm(), 1e-9) << x << ", " << y;
+      met.insert(hits[pixel].solid);
+    }
+    solids += met.size();
+  }
+  EXPECT_GT(solids, 300U);
+}
+
+/// Of a wide board behind another one, a strip is seen.
+TEST_P(ACamera, ListsAnObjectOfWhichEnoughIsSeen) {
+  Profile profile = profile_of(GetParam());
+  profile.image_width = profile.image_height = 400;
+  profile.vertical_fov_deg = 40;
+  Scene scene = testing::wide_kitchen(GetParam());
+  scene.nodes = {};
+  scene.agent.position = {1.5, 2};
+  scene.agent.yaw = scene.agent.pitch = 0;
+  const auto add = [&](const char* id, const Vec3& at, const Vec3& size) {
+    Node board;
+    board.id = id;
+    board.category = "Board";
+    board.size = size;
+    board.boards = {{Vec3::Zero(), size}};
+    board.pose.position = at;
+    scene.nodes.push_back(std::move(board));
+  };
+  add("far_1", {2.7, 2, profile.camera_height_m}, {0.02, 0.5, 0.5});
+  add("near_1", {2.1, 2, profile.camera_height_m}, {0.02, 0.5, 0.5});
+  Rays rays;
+  bool hidden = false, listed = false;
+  for (double aside = 0.12; aside < 0.14; aside += 0.001) {
+    scene.nodes.edit(1).pose.position.y() = 2 + aside;
+    const Segmentation image = segmentation_of(scene, profile, rays);
+    const std::size_t seen = testing::pixels_by_rays(image, 2)[0].pixels;
+    const std::size_t whole = testing::silhouette_by_rays(scene, 0, camera_of(scene.agent, profile), rays);
+    const auto boxes = Viewer(scene).view(viewed(scene), scene.agent, profile, kEndless_m);
+    const bool is_listed = std::any_of(boxes.begin(), boxes.end(), [](const auto& one) { return one.id == "far_1"; });
+    EXPECT_EQ(is_listed, seen >= 4 && 100 * seen >= whole) << seen << " of " << whole;
+    hidden = hidden || (!is_listed && seen > 0);
+    listed = listed || is_listed;
+  }
+  EXPECT_TRUE(hidden && listed);
+}
+
 TEST_P(ACamera, ListsExactlyWhatARayThroughEveryPixelFinds) {
   const Profile profile = profile_of(GetParam());
   Rng rng(5);
@@ -69,7 +124,7 @@ TEST_P(ACamera, ListsExactlyWhatARayThroughEveryPixelFinds) {
   for (int i = 0; i < 16; ++i) {
     SCOPED_TRACE(i);
     const Scene scene = drawn_view(GetParam(), rng);
-    const auto seen = seen_in(segmentation_of(scene, profile, rays), scene.nodes.size());
+    const auto boxes = testing::boxes_by_rays(scene, profile, segmentation_of(scene, profile, rays), rays);
     const auto all = viewer.view(viewed(scene), scene.agent, profile, kEndless_m);
     const auto near = viewer.view(viewed(scene), scene.agent, profile, profile.sight_m);
     const Vec3 eye(scene.agent.position.x(), scene.agent.position.y(), profile.camera_height_m);
@@ -80,7 +135,7 @@ TEST_P(ACamera, ListsExactlyWhatARayThroughEveryPixelFinds) {
     for (std::size_t n = 0; n < scene.nodes.size(); ++n) {
       const Node& node = scene.nodes[n];
       SCOPED_TRACE(node.id);
-      const auto box = seen[n].pixels > 0 ? std::optional(seen[n].box) : std::nullopt;
+      const auto& box = boxes[n];
       EXPECT_EQ(box_in(all, node.id), box);
       const bool close = (node.pose.position - eye).norm() <= profile.sight_m;
       EXPECT_EQ(box_in(near, node.id), close ? box : std::nullopt);
@@ -116,12 +171,12 @@ TEST_P(ACamera, ListsWhatIsSeenThroughGlassAsRaysFindIt) {
                 scene.agent.yaw + std::acos(-1) / 2);
     scene.nodes.push_back(pane);
     const Segmentation image = segmentation_of(scene, profile, rays);
-    const auto seen = seen_in(image, scene.nodes.size());
+    const auto boxes = testing::boxes_by_rays(scene, profile, image, rays);
     const auto listed = Viewer(scene).view(viewed(scene), scene.agent, profile, kEndless_m);
     std::vector<VisibleObject> expected;
     for (std::size_t n = 0; n < scene.nodes.size(); ++n) {
-      if (seen[n].pixels == 0) continue;
-      expected.push_back({scene.nodes[n].id, seen[n].box});
+      if (!boxes[n]) continue;
+      expected.push_back({scene.nodes[n].id, *boxes[n]});
       const auto node = static_cast<std::int32_t>(n);
       only_through += std::find(image.node.begin(), image.node.end(), node) == image.node.end() ? 1 : 0;
     }
@@ -197,17 +252,17 @@ TEST_P(ACamera, AmongManyWallsListsExactlyWhatARayThroughEveryPixelFinds) {
     SCOPED_TRACE(look);
     scene.agent.position = {rng.uniform(-4, 9), rng.uniform(-4, 9)};
     scene.agent.yaw = 6.28 * rng.unit();
-    const auto seen = seen_in(segmentation_of(scene, profile, rays), scene.nodes.size());
+    const auto by_rays = testing::boxes_by_rays(scene, profile, segmentation_of(scene, profile, rays), rays);
     const auto boxes = viewer.view(viewed(scene), scene.agent, profile, kEndless_m);
     for (std::size_t n = 0; n < scene.nodes.size(); ++n) {
       const auto reported = std::find_if(boxes.begin(), boxes.end(),
                                          [&](const VisibleObject& one) { return one.id == scene.nodes[n].id; });
-      ASSERT_EQ(reported != boxes.end(), seen[n].pixels > 0) << scene.nodes[n].id;
+      ASSERT_EQ(reported != boxes.end(), by_rays[n].has_value()) << scene.nodes[n].id;
       if (reported == boxes.end()) {
         ++hidden;
         continue;
       }
-      EXPECT_EQ(reported->box, seen[n].box);
+      EXPECT_EQ(reported->box, *by_rays[n]);
       ++listed;
     }
   }

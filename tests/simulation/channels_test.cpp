@@ -10,6 +10,7 @@
 
 #include "core/rng.h"
 #include "simulation/relations.h"
+#include "simulation/state_solids.h"
 #include "simulation/view.h"
 #include "simulation/viewpoint.h"
 #include "simulation/world.h"
@@ -50,7 +51,7 @@ TEST_P(AChannel, PutsEveryPixelOnTheSurfaceThatItShows) {
     SCOPED_TRACE(i);
     const Scene scene = kitchen_seen_from(GetParam(), rng);
     const Camera camera = camera_of(scene.agent, profile);
-    const Channels channels = channels_of(scene, camera, rays);
+    const Channels channels = channels_of(scene, camera);
     EXPECT_EQ(channels.node, segmentation_of(scene, profile, rays).node);
     std::set<std::string> off;
     int far_off = 0, turned_away = 0, bent = 0, flat = 0;
@@ -65,7 +66,8 @@ TEST_P(AChannel, PutsEveryPixelOnTheSurfaceThatItShows) {
           const Node& node = scene.nodes[static_cast<std::size_t>(channels.node[at])];
           const Bounds box = bounds_of(node.pose, node.size);
           constexpr double kHandles_m = 0.06;  // stand out of doors
-          const bool inside = (box.low - point).cwiseMax(point - box.high).maxCoeff() < kHandles_m;
+          const double out = (box.low - point).cwiseMax(point - box.high).maxCoeff();
+          const bool inside = out < kHandles_m + reach_of_states(node);
           far_off += inside ? 0 : 1;
           if (!inside) off.insert(node.id);
         } else if (normal.z() > 0.99) {
@@ -144,8 +146,7 @@ TEST(Channels, OfABoxAheadAreItsDistanceAndItsFace) {
   box.pose = upright(Vec3(3, 0, 1.5), 0);
   scene.nodes.push_back(box);
   Profile profile = small_profile(Simulator::Ai2thor);
-  Rays rays;
-  const Channels channels = channels_of(scene, camera_of(scene.agent, profile), rays);
+  const Channels channels = channels_of(scene, camera_of(scene.agent, profile));
   const std::size_t middle = 60 * 160 + 80;
   EXPECT_EQ(channels.node[middle], 0);
   EXPECT_NEAR(channels.depth[middle], 2.5, 1e-6);
@@ -155,7 +156,7 @@ TEST(Channels, OfABoxAheadAreItsDistanceAndItsFace) {
   up.at.z() = 5;
   up.ahead = Vec3::UnitZ();
   up.down = up.ahead.cross(up.right);
-  const Channels sky = channels_of(scene, up, rays);
+  const Channels sky = channels_of(scene, up);
   EXPECT_EQ(sky.depth[middle], std::numeric_limits<float>::infinity());
   EXPECT_EQ(sky.normal[3 * middle + 2], 0);
   EXPECT_EQ(sky.node[middle], -1);

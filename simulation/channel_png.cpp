@@ -1,0 +1,37 @@
+#include "simulation/channel_png.h"
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "core/png.h"
+
+namespace unietp {
+
+Result<std::string> depth_png(const Channels& channels) {
+  constexpr double kMost = std::numeric_limits<std::uint16_t>::max();
+  std::vector<std::uint16_t> millimeters;
+  millimeters.reserve(channels.depth.size());
+  for (const float depth : channels.depth) {
+    const double value = std::round(1000.0 * depth);
+    millimeters.push_back(value <= kMost ? static_cast<std::uint16_t>(value) : 0);
+  }
+  return grey_png(channels.width, channels.height, millimeters);
+}
+
+Result<std::string> normals_png(const Channels& channels) {
+  std::vector<std::uint8_t> rgb;
+  rgb.reserve(channels.normal.size());
+  for (const float part : channels.normal) rgb.push_back(static_cast<std::uint8_t>(std::round((part + 1.0) * 127.5)));
+  return png(channels.width, channels.height, rgb);
+}
+
+Result<std::string> instances_png(const Channels& channels) {
+  std::vector<std::uint16_t> numbers;
+  numbers.reserve(channels.node.size());
+  for (const std::int32_t node : channels.node) numbers.push_back(static_cast<std::uint16_t>(node + 1));
+  return grey_png(channels.width, channels.height, numbers);
+}
+
+}  // namespace unietp
