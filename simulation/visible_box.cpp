@@ -11,6 +11,16 @@ PixelBox common_part(const PixelBox& a, const PixelBox& b) {
   return {std::max(a[0], b[0]), std::max(a[1], b[1]), std::min(a[2], b[2]), std::min(a[3], b[3])};
 }
 
+std::int64_t pixels_of(const PixelBox& box) {
+  return std::int64_t{box[2] - box[0] + 1} * std::int64_t{box[3] - box[1] + 1};
+}
+
+/// A seventh of its width and height, in its middle.
+PixelBox middle_of(const PixelBox& box) {
+  const int wide = 3 * (box[2] - box[0]) / 7, high = 3 * (box[3] - box[1]) / 7;
+  return {box[0] + wide, box[1] + high, box[2] - wide, box[3] - high};
+}
+
 }  // namespace
 
 VisibleBoxes::VisibleBoxes(const Camera& camera, const std::vector<Outline>& outlines)
@@ -27,6 +37,7 @@ std::optional<PixelBox> VisibleBoxes::of(std::int32_t owner) {
   owner_ = owner;
   box_.reset();
   probed_ = false;
+  counted_ = 0;
   std::optional<PixelBox> cover;
   double farthest = 0;
   for (const OutlineSummary& one : by_depth_) {
@@ -139,6 +150,7 @@ void VisibleBoxes::explore_part(const PixelBox& part, const Ranges& among) {
   const bool any_own = here.own_end > here.own, any_other = here.others_end > here.others;
   if (any_own && !any_other && filled < kNever) {
     box_ = box_ ? around(*box_, part) : part;
+    counted_ += pixels_of(part);
   } else if (any_own) {
     if (!std::exchange(probed_, true)) probe_corners(here);  // for the largest part
     cut(part, here);
@@ -190,16 +202,18 @@ void VisibleBoxes::cut(const PixelBox& part, const Ranges& among) {
 }
 
 bool VisibleBoxes::shows_enough(const PixelBox& cover, const Ranges& among) {
-  const auto pixels = [](const PixelBox& box) {
-    return std::int64_t{box[2] - box[0] + 1} * std::int64_t{box[3] - box[1] + 1};
-  };
   const auto enough = [](std::int64_t seen, std::int64_t silhouette) {
     return seen >= kLeastSeenPixels && kLeastSeenPart * seen >= silhouette;
   };
+  // First what is cheap and mostly enough: the parts that were found to show it alone, then a part around the middle.
+  if (enough(counted_, pixels_of(cover))) return true;
+  const std::int64_t most = std::max<std::int64_t>(kLeastSeenPixels, pixels_of(cover) / kLeastSeenPart + 1);
   counted_ = 0;
-  const std::int64_t most = std::max<std::int64_t>(kLeastSeenPixels, pixels(cover) / kLeastSeenPart + 1);
+  count(middle_of(*box_), among, most);
+  if (counted_ >= most) return true;
+  counted_ = 0;
   count(*box_, among, most);
-  if (counted_ >= most || counted_ < kLeastSeenPixels) return enough(counted_, pixels(cover));
+  if (counted_ >= most || counted_ < kLeastSeenPixels) return enough(counted_, pixels_of(cover));
   const std::int64_t seen = std::exchange(counted_, 0);
   count(cover, {among.own, among.own_end, among.others, among.others}, kLeastSeenPart * seen + 1);
   return enough(seen, counted_);
@@ -216,7 +230,7 @@ void VisibleBoxes::count(const PixelBox& part, const Ranges& among, std::int64_t
   const Ranges here = narrow(part, among, filled);
   const bool any_own = here.own_end > here.own, any_other = here.others_end > here.others;
   if (any_own && !any_other && filled < kNever) {
-    counted_ += std::int64_t{wide} * high;
+    counted_ += pixels_of(part);
   } else if (any_own) {
     const std::size_t axis = wide >= high ? 0 : 1;
     PixelBox low = part, far = part;

@@ -84,7 +84,7 @@ class VisibleBoxes {
   std::int32_t owner_ = -1;
   std::optional<PixelBox> box_;
   bool probed_ = false;
-  std::int64_t counted_ = 0;  // pixels
+  std::int64_t counted_ = 0;  // pixels that show it
   Stack own_, others_;        // the owner's solids and the others, of all parts on the recursion path
 };
 
