@@ -18,7 +18,7 @@ struct Kind {
   /// How things are at it: "on", "in", or "" when nothing is. "on|in" and "in|on" when a thing on it is elsewhere than
   /// a thing in it, the usual one first; otherwise both relations mean the same.
   std::string relation;
-  std::string piece;  // the kind of its slices; "" when they are of the same kind
+  std::string piece;      // the kind of its slices; "" when they are of the same kind
   bool personal = false;  // each belongs to somebody: nobody asks for just any of several
 };
 

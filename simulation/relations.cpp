@@ -12,10 +12,10 @@
 namespace unietp {
 namespace {
 
-constexpr double kUpward = 0.7;      // cosine of about 45°
-constexpr double kBelowFloor_m = 0.01;     // tolerance below a cavity's floor
-constexpr double kOverhead_m = 2.0;  // `under`: largest distance of what is above
-constexpr double kStickOut = 0.85;   // an object's lowest part must be below this fraction of an open cavity's height
+constexpr double kUpward = 0.7;         // cosine of about 45°
+constexpr double kBelowFloor_m = 0.01;  // tolerance below a cavity's floor
+constexpr double kOverhead_m = 2.0;     // `under`: largest distance of what is above
+constexpr double kStickOut = 0.85;  // an object's lowest part must be below this fraction of an open cavity's height
 
 std::vector<Vec3> corners_of(const Node& node) {
   std::vector<Vec3> corners;

@@ -24,7 +24,7 @@ struct NativeSample {
   std::string form;              // that expresses the tasks
   std::vector<std::string> ids;  // of some of the file's objects
 };
-std::string name_of_sample(const ::testing::TestParamInfo<NativeSample>& info) { return info.param.simulator; }
+std::string name_of_native_sample(const ::testing::TestParamInfo<NativeSample>& info) { return info.param.simulator; }
 
 Ended make_native(const std::string& scenes, const std::string& out, int count) {
   return run_program({"generate", "--native", "--scenes", scenes, "--count", std::to_string(count), "--seed", "3",
@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(
         NativeSample{"virtualhome", "flat.virtualhome.json", "virtualhome", {"mug.20", "plate.21"}},
         NativeSample{"habitat", "apartment.replicacad.scene_instance.json", "habitat", {"frl_apartment_sofa_:0000"}},
         NativeSample{"behavior", "small.behavior.json", "behavior", {"bowl_ajzltc_0"}}),
-    name_of_sample);
+    name_of_native_sample);
 
 TEST(Native, WhatIsNoSceneOfASimulatorIsRefused) {
   const ScratchFolder folder;
