@@ -304,7 +304,7 @@ class Check {
       lacks("the order ('first … then', 'before', 'until')");
     if (goal_.throughout && !any_word(words_,
                                       "always. whole. time. times. throughout. keep never. stay remain leave. "
-                                      "ever. moment. all. along. entire while."))
+                                      "ever. moment. all. along. entire while. don't."))
       lacks("that it holds the whole time");
     if (goal_.sometime && !any_word(words_, "some. sometime once. again. then. ever. point. moment. after. first."))
       lacks("that it happens at some point");

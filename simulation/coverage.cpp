@@ -9,9 +9,9 @@ constexpr double kSlack = 1e-9;  // far above rounding errors; closer cases are 
 
 }  // namespace
 
-Coverage coverage_of(const Outline& outline, const PixelBox& part, const PartOfImage& middles, bool fills,
-                     const Camera& camera) {
-  Coverage share;
+PartCoverage coverage_of(const Outline& outline, const PixelBox& part, const PartOfImage& middles, bool fills,
+                         const Camera& camera) {
+  PartCoverage share;
   bool around_covers = true;  // perhaps, the box around a round solid
   if (!fills) {
     if (!meet(outline.cover, part)) return {false, false, 0, 0};

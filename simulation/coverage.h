@@ -15,15 +15,15 @@ inline bool meet(const PixelBox& a, const PixelBox& b) {
 }
 
 /// How a solid covers a part of the image, as far as its outline tells: pixels near a bound are left open.
-struct Coverage {
+struct PartCoverage {
   bool any = true;                        // false: certainly no pixel
   bool whole = true;                      // true: certainly every pixel
   double nearest = 0, farthest = kNever;  // depth range of the visible part, metres
 };
 
 /// `middles`: those of the part's pixels. `fills`: the solid is known to cover every pixel.
-Coverage coverage_of(const Outline& outline, const PixelBox& part, const PartOfImage& middles, bool fills,
-                     const Camera& camera);
+PartCoverage coverage_of(const Outline& outline, const PixelBox& part, const PartOfImage& middles, bool fills,
+                         const Camera& camera);
 
 /// Whether a box that covers a part is nearer than another solid in every pixel: one face of the solid behind is
 /// everywhere deeper than every face in front.

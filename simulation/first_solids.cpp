@@ -71,7 +71,7 @@ class Splitter {
       const Shown above = shown_[k];
       if (above.nearest > filled) continue;
       const Outline& outline = outlines_[above.outline];
-      const Coverage share = coverage_of(outline, part, middles, above.fills, camera_);
+      const PartCoverage share = coverage_of(outline, part, middles, above.fills, camera_);
       if (!share.any || share.nearest > filled) continue;
       if (share.whole) filled = std::min(filled, share.farthest);
       whole = share.whole;

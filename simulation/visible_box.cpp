@@ -120,7 +120,7 @@ void VisibleBoxes::gather(Stack& stack, std::size_t begin, std::size_t end, cons
     const Shown above = stack[k];
     if (above.nearest > filled || !meet(above.cover, part)) continue;
     const Outline& outline = outlines_[above.outline];
-    const Coverage share = coverage_of(outline, part, middles, above.whole, camera_);
+    const PartCoverage share = coverage_of(outline, part, middles, above.whole, camera_);
     if (!share.any || share.nearest > filled) continue;
     if (share.whole) filled = std::min(filled, share.farthest);
     stack.push_back({above.outline, share.whole && !outline.round, share.nearest, above.cover});

@@ -310,7 +310,7 @@ TEST(RefineReferring, NeverRefersByAStateThatTheGoalChanges) {
     wheres.insert(to_text(referring(refined->goal)->domain.where.front()));
   }
   EXPECT_FALSE(wheres.contains("(dirty ?a)"));
-  EXPECT_TRUE(wheres.contains("(hot ?a)"));
+  EXPECT_FALSE(wheres.contains("(hot ?a)")) << "nobody sees it";
   EXPECT_GT(wheres.size(), 2U) << "states and places both occur";
 }
 
