@@ -192,7 +192,7 @@ std::optional<std::string> left_alone(const Clause& clause, Naming& naming) {
   }
   if (subject.modifiers.size() == 1 && subject.modifiers[0].predicate == P::Closed && !subject.modifiers[0].negated &&
       naming.was_named_kind(subject.noun))
-    return subject.there == 1 ? "don't open the other one" : "don't open the others";
+    return subject.there == 1 ? "leave the other one closed" : "leave the others closed";
   const auto any = naming.phrase(as(subject, Determiner::Any), {});
   return any ? Text("do not open " + any->text) : std::nullopt;
 }

@@ -129,7 +129,8 @@ std::string with_plain_places(std::string text) {
 }
 
 std::string with_room_tables(std::string text) {
-  return replace_all(std::move(text), "dining table in the dining room", "dining room table");
+  text = replace_all(std::move(text), "dining table in the dining room", "dining room table");
+  return replace_all(std::move(text), "dining room dining table", "dining room table");
 }
 
 std::string with_tops(std::string text, const NounTable& nouns) {

@@ -16,11 +16,11 @@ struct StyleShare {
   double weight;
 };
 constexpr std::array kShares = {
-    StyleShare{Style::Alias, 1},          StyleShare{Style::Function, 1},        StyleShare{Style::Hypernym, 8},
-    StyleShare{Style::Description, 30},   StyleShare{Style::Context, 1.2},       StyleShare{Style::Request, 100},
-    StyleShare{Style::Aside, 0.8},        StyleShare{Style::Negation, 0.7},      StyleShare{Style::Exception, 200},
-    StyleShare{Style::Ellipsis, 3},       StyleShare{Style::Anaphora, 2},        StyleShare{Style::Compound, 10},
-    StyleShare{Style::InvertedOrder, 20}, StyleShare{Style::VagueQuantity, 100}, StyleShare{Style::Condition, 20}};
+    StyleShare{Style::Alias, 1},        StyleShare{Style::Function, 1},       StyleShare{Style::Hypernym, 8},
+    StyleShare{Style::Description, 30}, StyleShare{Style::Context, 1.2},      StyleShare{Style::Request, 100},
+    StyleShare{Style::Exception, 200},  StyleShare{Style::Ellipsis, 3},       StyleShare{Style::Anaphora, 2},
+    StyleShare{Style::Compound, 10},    StyleShare{Style::InvertedOrder, 20}, StyleShare{Style::VagueQuantity, 100},
+    StyleShare{Style::Condition, 20}};
 
 bool says(const Formula& goal, const auto& is_asked) {
   return is_asked(goal) || std::any_of(goal.children.begin(), goal.children.end(),
