@@ -24,7 +24,6 @@ bool asks_for_one_state(const Formula& goal) {
 bool has_form_for(Style style, const Formula& goal, bool of_one_thing, bool of_things) {
   switch (style) {
     case Style::Alias:  // see may_be_carried
-    case Style::Aside:
       return of_things;
     case Style::Request:
       return asks_for_one_state(goal);
@@ -42,13 +41,14 @@ bool has_form_for(Style style, const Formula& goal, bool of_one_thing, bool of_t
     case Style::Hypernym:
     case Style::Description:
     case Style::Context:
-    case Style::Negation:
     case Style::Ellipsis:
     case Style::Anaphora:
     case Style::Compound:
       return of_one_thing;
     default:
-      return false;  // only templates that are written so
+      // Only templates that are written so. Asides ("the egg can stay where it is") seem to come from nowhere, and
+      // people do not tell a thing by where it is not.
+      return false;
   }
 }
 

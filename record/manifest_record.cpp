@@ -74,6 +74,7 @@ void read_run(JsonReader& reader, const JsonAt& at, RecordedRun& run) {
     quotas.finish();
   }
   if (const auto f = fields.optional("extended")) run.extended = reader.boolean(*f);
+  if (const auto f = fields.optional("native")) run.native = reader.boolean(*f);
   if (const auto f = fields.optional("own")) run.own = read_names(reader, *f);
   if (const auto f = fields.optional("binding")) run.binding = read_names(reader, *f);
   if (const auto f = fields.optional("scenes")) run.scenes = read_names(reader, *f);

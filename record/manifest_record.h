@@ -36,6 +36,7 @@ struct RecordedRun {
   std::vector<std::string> own;      // the user's own templates, "<name> <sha256>"
   std::vector<std::string> binding;  // "A=Mug", of every task
   bool extended = false;             // with the extended library, whose agents have the profile `wide`
+  bool native = false;               // only tasks that their simulators can express, in scenes of their own
   std::string text;                  // the whole configuration as compact JSON: `unietp-run/1`
 };
 

@@ -33,10 +33,6 @@ int share_of(Style style) {
   }
 }
 
-/// Styles that slots are not dealt, though a goal can be asked for in them: people find that a thing that "can stay
-/// where it is" comes from nowhere, and do not tell a thing by where it is not.
-bool is_seldom_natural(Style style) { return style == Style::Aside || style == Style::Negation; }
-
 /// The styles that some template of the slot fits and that the slot does not have yet.
 std::vector<Style> open_styles(const TaskSlot& slot, const std::vector<std::vector<Style>>& styles) {
   std::array<bool, kStyleCount> fitting{};
@@ -45,7 +41,7 @@ std::vector<Style> open_styles(const TaskSlot& slot, const std::vector<std::vect
   for (const Style had : slot.styles) fitting[position(had)] = false;
   std::vector<Style> open;
   for (std::size_t i = 0; i < kStyleCount; ++i)
-    if (fitting[i] && !is_seldom_natural(static_cast<Style>(i))) open.push_back(static_cast<Style>(i));
+    if (fitting[i]) open.push_back(static_cast<Style>(i));
   return open;
 }
 

@@ -219,6 +219,7 @@ constexpr std::array kFieldRules{
     FieldInfo{"run", "splits", Rule::Setting, kPlanned},
     FieldInfo{"run", "templates", Rule::Setting, kPlanned},
     FieldInfo{"run", "extended", Rule::Setting, "the tasks replay with the agents of this library"},
+    FieldInfo{"run", "native", Rule::Setting, kPlanned},
     FieldInfo{"run", "own", Rule::Setting, kPlanned},
     FieldInfo{"run", "binding", Rule::Compared, "every task has it"},
     FieldInfo{"run", "attempts", Rule::Setting, kPlanned},
