@@ -37,7 +37,8 @@ std::set<std::string> ids_in(const fs::path& dataset) {
   for (const auto& file : fs::directory_iterator(dataset / "homes")) {
     const auto text = read_maybe_gzip(file.path());
     EXPECT_TRUE(text);
-    for (const auto& node : Json::parse(*text)["nodes"]) ids.insert(node["id"].get<std::string>());
+    const Json home = Json::parse(*text);
+    for (const auto& node : home["nodes"]) ids.insert(node["id"].get<std::string>());
   }
   return ids;
 }
