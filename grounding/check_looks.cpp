@@ -4,7 +4,6 @@
 
 #include "generator/goal_variable.h"
 #include "grounding/goal_places.h"
-#include "logic/evaluate.h"
 #include "simulation/contrast.h"
 
 namespace unietp {
@@ -37,21 +36,15 @@ std::optional<GroundingFailure> check_looks(const Specification& specification, 
                                             const NodeIndex& places, const Trace& trace) {
   if (specification.split != Split::InstanceGrounding && specification.refinement == Referring::None)
     return std::nullopt;
-  for (const QuantifiedDomain& one : quantified_domains(specification.goal)) {
-    if (one.domain.where.empty()) continue;
-    const Formula& where = one.domain.where.front();
-    if (free_variables(where) != std::vector<std::string>{one.variable}) continue;
-    Domain all = one.domain;
-    all.where.clear();
-    const auto referents = members_of(one.domain, one.variable, trace);
-    std::vector<const Node*> meant, others;
-    for (const EntityIndex entity : members_of(all, one.variable, trace)) {
-      const auto place = places.find(trace.entities[entity].id);
-      if (!place) continue;
-      const bool is_meant = std::find(referents.begin(), referents.end(), entity) != referents.end();
-      (is_meant ? meant : others).push_back(&start.nodes[*place]);
-    }
-    if (const auto pair = alike(meant, others, predicates_in(where), specification.simulator))
+  const auto nodes_of = [&](const std::vector<EntityIndex>& entities) {
+    std::vector<const Node*> nodes;
+    for (const EntityIndex entity : entities)
+      if (const auto place = places.find(trace.entities[entity].id)) nodes.push_back(&start.nodes[*place]);
+    return nodes;
+  };
+  for (const ReferredThings& one : referred_things(specification.goal, trace)) {
+    const auto predicates = predicates_in(one.domain.domain.where.front());
+    if (const auto pair = alike(nodes_of(one.meant), nodes_of(one.others), predicates, specification.simulator))
       return GroundingFailure{RejectionReason::LooksAlike, "pictures do not tell " + *pair, {}};
   }
   return std::nullopt;

@@ -40,11 +40,13 @@ class FactsOfRooms {
   bool in_room_of_any(EntityIndex one, const Entities& others) const {
     return std::any_of(others.begin(), others.end(), [&](EntityIndex other) { return share_a_room(one, other); });
   }
-  /// Whether it is inside something closed, or on or in something that is.
-  bool is_shut_away(EntityIndex one) const {
+  /// Whether it is inside something closed, or on or in something that is, at most so many levels up: contacts may go
+  /// in a circle.
+  bool is_shut_away(EntityIndex one, int levels = 8) const {
+    if (levels == 0) return false;
     return facts_.any_related(Predicate::Inside, one, [&](EntityIndex container) {
-      return facts_.holds(Predicate::Closed, container) || is_shut_away(container);
-    }) || facts_.any_related(Predicate::On, one, [&](EntityIndex below) { return is_shut_away(below); });
+      return facts_.holds(Predicate::Closed, container) || is_shut_away(container, levels - 1);
+    }) || facts_.any_related(Predicate::On, one, [&](EntityIndex below) { return is_shut_away(below, levels - 1); });
   }
   bool on_or_in(EntityIndex one, EntityIndex other) const {
     return facts_.holds(Predicate::On, one, other) || facts_.holds(Predicate::Inside, one, other);
@@ -95,19 +97,11 @@ std::optional<std::string> odd_test(const Formula& test, const std::string& vari
 }  // namespace
 
 std::optional<GroundingFailure> check_references(const Specification& specification, const Trace& trace) {
-  for (const QuantifiedDomain& one : quantified_domains(specification.goal)) {
-    if (one.domain.where.empty()) continue;
-    const Formula& where = one.domain.where.front();
-    if (free_variables(where) != std::vector<std::string>{one.variable}) continue;
-    Domain all = one.domain;
-    all.where.clear();
-    const Entities meant = members_of(one.domain, one.variable, trace);
-    Entities others = members_of(all, one.variable, trace);
-    std::erase_if(others,
-                  [&](EntityIndex entity) { return std::find(meant.begin(), meant.end(), entity) != meant.end(); });
+  for (const auto& [domain, meant, others] : referred_things(specification.goal, trace)) {
+    const Formula& where = domain.domain.where.front();
     const auto tests = where.op == Op::And ? where.children : std::vector<Formula>{where};
     for (const Formula& test : tests) {
-      if (const auto odd = odd_test(test, one.variable, one.op == Op::Exists, meant, others, trace))
+      if (const auto odd = odd_test(test, domain.variable, domain.op == Op::Exists, meant, others, trace))
         return GroundingFailure{RejectionReason::OddReference, to_text(test) + ": " + *odd, {}};
     }
   }

@@ -1,6 +1,9 @@
 #include "grounding/goal_places.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "logic/evaluate.h"
 
 namespace unietp {
 namespace {
@@ -60,6 +63,22 @@ std::vector<QuantifiedDomain> quantified_domains(const Formula& formula) {
   std::vector<QuantifiedDomain> domains;
   collect(formula, true, domains);
   return domains;
+}
+
+std::vector<ReferredThings> referred_things(const Formula& goal, const Trace& trace) {
+  std::vector<ReferredThings> found;
+  for (QuantifiedDomain& one : quantified_domains(goal)) {
+    if (one.domain.where.empty()) continue;
+    if (free_variables(one.domain.where.front()) != std::vector<std::string>{one.variable}) continue;
+    Domain all = one.domain;
+    all.where.clear();
+    auto meant = members_of(one.domain, one.variable, trace);
+    auto others = members_of(all, one.variable, trace);
+    std::erase_if(others,
+                  [&](EntityIndex entity) { return std::find(meant.begin(), meant.end(), entity) != meant.end(); });
+    found.push_back({std::move(one), std::move(meant), std::move(others)});
+  }
+  return found;
 }
 
 }  // namespace unietp

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "logic/formula.h"
+#include "logic/trace.h"
 
 namespace unietp {
 
@@ -23,6 +24,14 @@ struct QuantifiedDomain {
 };
 /// In the order in which the formula has them.
 std::vector<QuantifiedDomain> quantified_domains(const Formula& formula);
+
+/// Things that a goal tells from others by a `:where` about the thing alone.
+struct ReferredThings {
+  QuantifiedDomain domain;
+  std::vector<EntityIndex> meant, others;  // in the first state, by index; the others are of the same categories
+};
+/// In the order in which the goal has them. `trace` has at least one state.
+std::vector<ReferredThings> referred_things(const Formula& goal, const Trace& trace);
 
 /// Members of the domain come about by cutting.
 bool makes_slices(const Domain& domain);

@@ -1,6 +1,7 @@
 #include "run/fit_of_home.h"
 
 #include <algorithm>
+#include <optional>
 
 #include <gtest/gtest.h>
 
@@ -10,7 +11,11 @@ namespace unietp {
 namespace {
 
 /// Of the first homes of a run, one with a sink in the kitchen and one in a bathroom.
-const Layout* with_two_sinks(LayoutPool& layouts) {
+std::optional<Layout> home_with_two_sinks() {
+  RunConfiguration configuration;
+  configuration.rooms = 7;
+  configuration.objects = 60;
+  LayoutPool layouts(configuration, committed(), 6);
   for (int number = 0; number < layouts.size(Simulator::Ai2thor); ++number) {
     const auto& layout = layouts.layout(Simulator::Ai2thor, number);
     if (!layout) continue;
@@ -21,18 +26,14 @@ const Layout* with_two_sinks(LayoutPool& layouts) {
         return home.rooms[sink] >= 0 && home.scene.rooms[static_cast<std::size_t>(home.rooms[sink])].type == type;
       });
     };
-    if (in("kitchen") && in("bathroom")) return &*layout;
+    if (in("kitchen") && in("bathroom")) return *layout;
   }
-  return nullptr;
+  return std::nullopt;
 }
 
 TEST(FitOfHome, NoDishesGoIntoASinkThatMayBeThatOfABathroom) {
-  RunConfiguration configuration;
-  configuration.rooms = 7;
-  configuration.objects = 60;
-  LayoutPool layouts(configuration, committed(), 6);
-  const Layout* layout = with_two_sinks(layouts);
-  ASSERT_NE(layout, nullptr);
+  const auto layout = home_with_two_sinks();
+  ASSERT_TRUE(layout);
   const auto suits = [&](const std::string& text) {
     const auto goal = parse_formula("goal", text, FormulaUse::Goal);
     EXPECT_TRUE(goal) << text;
@@ -49,12 +50,8 @@ TEST(FitOfHome, NoDishesGoIntoASinkThatMayBeThatOfABathroom) {
 }
 
 TEST(LeavesOpen, WhichOfSeveralPlacesInSeveralRoomsAndWhosePhone) {
-  RunConfiguration configuration;
-  configuration.rooms = 7;
-  configuration.objects = 60;
-  LayoutPool layouts(configuration, committed(), 6);
-  const Layout* layout = with_two_sinks(layouts);
-  ASSERT_NE(layout, nullptr);
+  const auto layout = home_with_two_sinks();
+  ASSERT_TRUE(layout);
   Layout home = *layout;
   const Household& household = *committed().recipe(Simulator::Ai2thor).household;
   const NounTable& nouns = committed().backend(Simulator::Ai2thor).nouns;
