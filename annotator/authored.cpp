@@ -199,7 +199,11 @@ class Author {
     thing.noun = binder.domain;
     const bool described = !thing.noun.where.empty();
     thing.noun.where.clear();
-    if (plural) return described ? std::nullopt : naming_.plural(thing);
+    if (plural) {
+      const Text many = described ? std::nullopt : naming_.plural(thing);
+      const bool all = before.ends_with("the ") && !before.ends_with("ne of the ");
+      return many && all && many->starts_with("pairs of ") ? std::nullopt : many;  // "all the pants"
+    }
     const Text one = naming_.singular(thing.noun);
     return one && one->starts_with("pair of ") ? std::nullopt : one;  // "the pants that are on the chair"
   }

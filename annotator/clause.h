@@ -42,7 +42,7 @@ struct NounPhrase {
   std::size_t promised = 0;           // the reader's: how many there have to be, "both mugs"; 0: any number
   bool two = false;                   // the writer's: the start has two such objects: "both mugs", "the larger mug"
   std::vector<Complement> modifiers;  // all true in the start state ("that is dirty")
-  std::vector<Complement> done;       // to be brought about ("that you put a mug into"; "a slice of it")
+  std::vector<Complement> done;       // to be brought about ("that you put a mug into"; "one of the slices")
   std::vector<Domain> absent;         // of which the home has none: else "a slice of bread" would be one of these
   std::string variable;               // the writer's: which variable of the goal; "" when read
   int column = 0;                     // the reader's: where it stood

@@ -53,6 +53,7 @@ class ClauseReader {
   Clause poured();
   Clause remaining();
   Clause none_left(bool any);
+  Clause few_left();
   bool put_down();
   bool taken_from(Clause& clause);
 

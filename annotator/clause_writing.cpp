@@ -44,6 +44,12 @@ bool speaks_of(const Clause& clause, const Domain& noun) {
 
 /// Whether an action is done to an object where it stands: "open the drawer in the kitchen" is clear, "cook the egg on
 /// a table" is not.
+/// Whether a substance is too thin to be spread.
+bool is_drizzled(const std::string& substance) {
+  return substance.ends_with("vinegar") || substance.ends_with("oil") || substance.ends_with("juice") ||
+         substance == "soy_sauce";
+}
+
 bool is_done_in_place(Predicate predicate) {
   return predicate == P::Open || predicate == P::Closed || predicate == P::PowerOn || predicate == P::PowerOff ||
          predicate == P::Held;
@@ -228,7 +234,18 @@ std::optional<std::string> ClauseWriter::command(const Clause& clause) {
   naming_.begin_clause();
   Text text = worded(clause);
   if (text) naming_.set_topic(clause.subjects.size() == 1 ? clause.subjects[0].variable : "");
+  put_last_.reset();
+  if (clause.kind != Clause::Kind::Simple || clause.complements.size() != 1) return text;
+  const Complement& goes = clause.complements[0];
+  if (!goes.negated && (goes.predicate == P::On || goes.predicate == P::Inside)) put_last_ = goes;
   return text;
+}
+
+std::optional<std::string> ClauseWriter::there_too(const Complement& goes) const {
+  if (!naming_.everyday() || !put_last_ || put_last_->object.empty() || put_last_->predicate != goes.predicate ||
+      goes.negated || goes.object[0].variable.empty() || put_last_->object[0].variable != goes.object[0].variable)
+    return std::nullopt;
+  return goes.predicate == Predicate::Inside ? "in there, too" : "there, too";
 }
 
 std::optional<std::string> ClauseWriter::worded(const Clause& clause) {
@@ -242,6 +259,8 @@ std::optional<std::string> ClauseWriter::worded(const Clause& clause) {
       auto patterns = naming_.everyday() ? everyday_verbs(clause.complements[0]) : verbs(clause.complements[0]);
       if (naming_.everyday() && !said_not(clause) && naming_.comes_from_a_shaker(clause.complements[0].symbol))
         patterns = {"sprinkle {m} on {s}"};
+      if (naming_.everyday() && !said_not(clause) && is_drizzled(clause.complements[0].symbol))
+        patterns = {"drizzle {m} over {s}"};
       // One moves an apple to a shelf, and puts it on a plate.
       const auto& places = clause.complements[0].object;
       if (naming_.everyday() && !places.empty() && naming_.is_carried(places[0].noun))
@@ -341,12 +360,14 @@ std::optional<std::string> ClauseWriter::taken_first(const Clause& clause) {
   if (!subject || (subject->plural && !naming_.everyday())) return std::nullopt;
   Place place = place_of(clause);
   place.bare_room = naming_.everyday();
-  if (there && (goes.predicate == Predicate::On || goes.predicate == Predicate::Inside) && rng_.chance(0.5)) {
+  const auto again = there_too(goes);
+  const bool is_place = goes.predicate == Predicate::On || goes.predicate == Predicate::Inside;
+  if (there && !again && is_place && rng_.chance(0.5)) {
     const auto to = naming_.phrase(goes.object[0], place);
     if (!to || to->text == "it") return std::nullopt;
     return "move " + subject->text + " from " + *there + " to " + to->text;
   }
-  const Text where = naming_.complement(goes, place);
+  const Text where = again ? again : naming_.complement(goes, place);
   const std::string put = naming_.everyday() ? " and put " : pick({" and put ", " and place "});
   const bool sought = naming_.everyday() && naming_.names_by_use(thing.noun);
   return where ? Text((sought ? "get " : "take ") + subject->text + (there ? off + *there : "") + put +
@@ -382,6 +403,16 @@ std::optional<std::string> ClauseWriter::cut_first(const Clause& clause) {
   return std::nullopt;
 }
 
+/// Takes " except for the red one" off the end of what is acted on: it is said last, "put all the mugs on the desk
+/// except for the red one". "But the red one" stays beside the thing.
+std::string ClauseWriter::taken_exception(const Clause& clause, std::string& subject) {
+  const auto at = subject.rfind(" except ");
+  if (clause.subjects.size() != 1 || !clause.subjects[0].except || at == std::string::npos) return {};
+  const std::string exception = subject.substr(at);
+  subject.resize(at);
+  return exception;
+}
+
 std::optional<std::string> ClauseWriter::filled(const std::string& pattern, const Clause& clause) {
   if (described_by_place(clause) && !pattern.starts_with("attach")) return taken_first(clause);
   // Only where the reader expects no place: verbs that end with what they are done to.
@@ -392,8 +423,10 @@ std::optional<std::string> ClauseWriter::filled(const std::string& pattern, cons
       (is_done_in_place(clause.complements[0].predicate) || (naming_.everyday() && is_told_apart(clause)));
   const bool moved = pattern.find("{o}") != std::string::npos;
   const bool sought = pattern.starts_with("grab ") || pattern.starts_with("bring ");
-  const auto subjects = subjects_of(clause, {.bare = bare, .sought = sought, .moved = moved});
+  auto subjects = subjects_of(clause, {.bare = bare, .sought = sought, .moved = moved});
   if (!subjects) return std::nullopt;
+  if (const auto there = there_too(clause.complements[0])) return "put " + subjects->text + " " + *there;
+  const std::string exception = naming_.everyday() ? taken_exception(clause, subjects->text) : std::string();
   // "Wash a mug and hold it": it is in the hand already.
   const bool held = naming_.everyday() && subjects->text == "it" && clause.complements[0].predicate == Predicate::Held;
   std::string text = held ? "hold on to {s}" : with_particle_order(pattern, subjects->text, clause.complements[0]);
@@ -407,7 +440,7 @@ std::optional<std::string> ClauseWriter::filled(const std::string& pattern, cons
     if (plain || object->text == "it") text = replace_all(text, "the floor of {o}", floor_of(object->text, false));
     text = replace_all(text, "{o}", object->text);
   }
-  return replace_all(text, "{s}", subjects->text);
+  return replace_all(text, "{s}", subjects->text) + exception;
 }
 
 }  // namespace unietp

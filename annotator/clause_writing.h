@@ -40,12 +40,17 @@ class ClauseWriter {
   std::optional<std::string> comparison(const Clause& clause, const std::string& be);
   std::optional<std::string> special_command(const Clause& clause, bool& special);
   std::optional<std::string> taken_first(const Clause& clause);
+  static std::string taken_exception(const Clause& clause, std::string& subject);
   bool described_by_place(const Clause& clause) const;
   std::optional<std::string> cut_first(const Clause& clause);
   std::optional<std::string> filled(const std::string& pattern, const Clause& clause);
 
+  /// " in there, too", of the place that the command before put something at; nullopt for any other.
+  std::optional<std::string> there_too(const Complement& goes) const;
+
   Naming& naming_;
   Rng& rng_;
+  std::optional<Complement> put_last_;  // where the command before put something
 };
 
 }  // namespace unietp

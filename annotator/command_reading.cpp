@@ -42,6 +42,7 @@ Clause ClauseReader::command() {
   if (words_.accept("put more")) return outnumbering();
   if (words_.accept_one({"pour it into", "water"}) >= 0) return poured();
   if (words_.accept_one({"don't leave any", "do not leave any"}) >= 0) return none_left(true);
+  if (words_.accept_one({"don't leave more than", "only"}) >= 0) return few_left();
   if (words_.accept_one({"don't leave", "do not leave"}) >= 0) return none_left(false);
   if (words_.accept("leave")) return remaining();
   if (words_.accept("put the lid on")) {
@@ -59,6 +60,7 @@ Clause ClauseReader::command() {
   if (words_.accept("cover")) return with_symbol(P::Covered);
   if (words_.accept("pour")) return symbol_first(P::Filled, "into", false);
   if (words_.accept("spread")) return symbol_first(P::Covered, "over", false);
+  if (words_.accept("drizzle")) return symbol_first(P::Covered, "over", false);
   if (words_.accept("sprinkle")) return symbol_first(P::Covered, "on", false);
   if (words_.accept("wipe the")) return symbol_first(P::Covered, "off", true);
   if (words_.accept("attach")) {
@@ -140,6 +142,7 @@ bool ClauseReader::goes_to(Clause& clause) {
     place.predicate = P::On;
   }
   clause.complements.push_back(std::move(place));
+  words_.set_put_last(clause);
   return true;
 }
 
@@ -148,6 +151,7 @@ void ClauseReader::placed(Clause& clause) {
   words_.set_bare_rooms(true);
   words_.complements(clause);
   words_.set_bare_rooms(false);
+  words_.set_put_last(clause);
 }
 
 /// "take every mug off the table" leaves none; "take a mug to the kitchen" brings one.
@@ -189,6 +193,7 @@ Clause ClauseReader::with_symbol(Predicate predicate) {
   words_.set_bare_places(false);
   words_.expect("with");
   clause.complements.push_back({predicate, false, words_.symbol(), {}});
+  words_.exception(clause);
   return clause;
 }
 
@@ -212,6 +217,7 @@ Clause ClauseReader::changed() {
       const int which = words_.accept_one({"on", "off"});
       if (which < 0) words_.fail("expected 'on' or 'off'");
       clause.complements.push_back({which == 0 ? P::PowerOn : P::PowerOff, false, "", {}});
+      words_.exception(clause);
       return clause;
     }
     words_.go_back(here);

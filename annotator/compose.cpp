@@ -184,7 +184,7 @@ class Composer {
     }
   }
 
-  /// "Fill the pot, then pour it into a vase.", "Slice a potato, then cook a slice of it.": of the first nothing is
+  /// "Fill the pot, then pour it into a vase.", "Slice a potato, then cook one of the slices.": of the first nothing is
   /// said at the end.
   static bool uses_up(const Requirement& requirement) {
     return std::any_of(requirement.clauses.begin(), requirement.clauses.end(), [](const Clause& clause) {

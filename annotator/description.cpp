@@ -62,7 +62,7 @@ std::string Naming::room_before(const Complement& modifier, const NounPhrase& sa
   const auto* name = room ? lexicon_.display(modifier.object[0].noun.members[0].category) : nullptr;
   const auto* own = fixed && said.noun.members.size() == 1 ? lexicon_.display(said.noun.members[0].category) : nullptr;
   if (name == nullptr || (fixed && (own == nullptr || says_room(own->singular)))) return "";
-  if (fixed && style_ != Style::Compound && !takes_room(own->singular)) return "";
+  if (fixed && !takes_room(own->singular)) return "";
   return name->singular;
 }
 

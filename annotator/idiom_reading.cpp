@@ -191,17 +191,23 @@ Clause ClauseReader::none_left(bool any) {
   return clause;
 }
 
+/// What follows "don't leave more than" or "leave no more than", "one on the desk", or "only": "one can stay on the
+/// desk".
+Clause ClauseReader::few_left() {
+  Clause clause;
+  const int most = words_.number();
+  words_.accept("can stay");
+  clause.subjects.push_back(words_.complement_comes() ? words_.last_moved() : words_.bare_noun(most != 1));
+  clause.subjects[0].determiner = Determiner::AtMost;
+  clause.subjects[0].number = most;
+  words_.complements(clause);
+  return clause;
+}
+
 /// "leave exactly one mug on the desk and put the others somewhere else", "leave no mug on any desk", "leave it open"
 Clause ClauseReader::remaining() {
+  if (words_.accept("no more than")) return few_left();
   Clause clause;
-  if (words_.accept("no more than")) {
-    const int most = words_.number();
-    clause.subjects.push_back(words_.complement_comes() ? words_.last_moved() : words_.bare_noun(most != 1));
-    clause.subjects[0].determiner = Determiner::AtMost;
-    clause.subjects[0].number = most;
-    words_.complements(clause);
-    return clause;
-  }
   const bool open = words_.comes("it open");
   clause.subjects.push_back(words_.phrase());
   words_.complements(clause);

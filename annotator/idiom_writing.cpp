@@ -161,7 +161,7 @@ std::optional<std::string> no_more(const Clause& clause, Naming& naming) {
       !naming.was_named_kind(clause.subjects[0].noun))
     return std::nullopt;
   const Text where = naming.complement(clause.complements[0], {});
-  return where ? Text("leave no more than " + number_word(clause.subjects[0].number) + " " + *where) : std::nullopt;
+  return where ? Text("only " + number_word(clause.subjects[0].number) + " can stay " + *where) : std::nullopt;
 }
 
 std::optional<std::string> left_alone(const Clause& clause, Naming& naming) {

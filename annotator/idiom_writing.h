@@ -25,7 +25,7 @@ bool same_place(const Clause& clause);
 /// "put each of the mugs in a cabinet or on a shelf"; nullopt for other clauses.
 std::optional<std::string> each_somewhere(const Clause& clause, Naming& naming);
 
-/// "leave no more than one on the desk", of what was put somewhere else; nullopt for other clauses.
+/// "only one can stay on the desk", of what was put somewhere else; nullopt for other clauses.
 std::optional<std::string> no_more(const Clause& clause, Naming& naming);
 
 /// What is so the whole time: "leave all the plates on the table", "do not open the fridge".

@@ -49,7 +49,10 @@ std::optional<std::string> if_or_else(const Clause& clause, Naming& naming, Clau
   const Text where = again ? naming.complement(clause.parts[1].complements[0], {}) : std::nullopt;
   naming.forget_after(before);
   if (!where) return std::nullopt;
-  const std::string thing = again->plural ? "them" : again->text;
+  // "Put a plate in it. If not, put one on the counter.": of several, it need not be the same.
+  const auto name = naming.is_alone(open.subjects[0].noun) ? std::nullopt : naming.singular(open.subjects[0].noun);
+  const std::string another = name && where->find(" one of ") != Text::value_type::npos ? with_article(*name) : "one";
+  const std::string thing = again->plural ? "them" : name ? another : again->text;
   return sentence("if " + there->text + " is " + state + ", " + *first, '.') + " " +
          sentence("if not, put " + thing + " " + *where, '.');
 }

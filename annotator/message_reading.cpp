@@ -211,15 +211,16 @@ class TextReader {
     end_sentence();
   }
 
-  /// "If the cabinet is open, put a mug in it. If not, put it on a shelf.": the cabinet is one or the other.
+  /// "If the cabinet is open, put a mug in it. If not, put one on a shelf.": the cabinet is one or the other.
   void otherwise(NounPhrase there, Clause then) {
     words_.expect("put");
     Clause other;
     other.subjects = then.subjects;
-    if (words_.accept_one({"it", "them"}) < 0) {
+    if (words_.accept_one({"it", "them", "one"}) < 0) {
       const NounPhrase again = words_.phrase();
-      const bool same = again.determiner == Determiner::The && again.modifiers.empty() && then.subjects.size() == 1 &&
-                        again.noun == then.subjects[0].noun;
+      const bool known = again.determiner == Determiner::The || again.determiner == Determiner::New;
+      const bool same =
+          known && again.modifiers.empty() && then.subjects.size() == 1 && again.noun == then.subjects[0].noun;
       if (!same) return words_.fail("expected what is put somewhere in the sentence before");
     }
     words_.complements(other);

@@ -207,14 +207,14 @@ std::optional<Words> Naming::phrase(const NounPhrase& said, Place place) {
   if (!said.variable.empty() && (place.inside_description || place.beside_none)) {
     if (!everyday() || !is_alone(said.noun) || !said.modifiers.empty()) return std::nullopt;
     mentioned_.push_back(said.variable);
-    return Words{"the " + definite_name(bare->singular)};
+    return Words{"the " + bare->singular};
   }
   if (said.except) return all_but(said, *bare);
   if (!said.done.empty() && said.done[0].predicate == Predicate::SliceOf) {
     if (topic_ != said.done[0].object[0].variable) return std::nullopt;
     mentioned_.push_back(said.variable);
     named_.push_back({said.variable, said.noun, false, ""});
-    return Words{"a slice of it"};
+    return Words{"one of the slices"};
   }
   // Nobody washes "something to drink from".
   if (everyday() && bare->function && bare->singular.starts_with("something ") && !place.sought &&
@@ -291,7 +291,7 @@ std::optional<Words> Naming::again(const NounPhrase& said, const Noun& noun, Pla
     return Words{"the " + std::string(kOrdinals[position]) + (noun.countable ? " " : " piece of ") + word};
   }
   if (place.exact) return Words{(place.inside_description ? "that " : "the ") + word};
-  if (everyday() && !vague) return Words{"the " + (pair.empty() ? definite_name(word) : pair), several};
+  if (everyday() && !vague) return Words{"the " + (pair.empty() ? word : pair), several};
   const std::string article =
       vague || noun.countable ? pick({"that", "that", "the same", "the"}) : pick({"that", "the same"});
   return Words{article + " " + word};
@@ -364,15 +364,13 @@ std::optional<Words> Naming::counted(const NounPhrase& said, const Noun& noun, P
     mentioned_.emplace_back();
     const std::string pair = pair_name(said.noun, noun);
     const bool several = is_plural(noun) || !pair.empty();
-    return Words{"the " + before + (pair.empty() ? definite_name(noun.singular) : pair) + description.tail(several),
-                 several};
+    return Words{"the " + before + (pair.empty() ? noun.singular : pair) + description.tail(several), several};
   }
   switch (said.determiner) {
     case Determiner::Any:
       plural = false;
       mentioned_.emplace_back();
-      if (everyday() && is_alone(said.noun) && said.modifiers.empty())
-        return Words{"the " + definite_name(noun.singular)};
+      if (everyday() && is_alone(said.noun) && said.modifiers.empty()) return Words{"the " + noun.singular};
       if (!noun.countable) return std::nullopt;
       if (everyday() && place.beside_every && said.modifiers.empty()) return Words{"the " + many, true};
       text = "any " + one;

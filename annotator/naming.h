@@ -167,9 +167,6 @@ class Naming {
   std::map<std::string, NounTable::Name> chosen_;  // one name per category in a text
 };
 
-/// The name after "the".
-std::string definite_name(const std::string& name);
-
 /// "two", "12"
 std::string number_word(int number);
 

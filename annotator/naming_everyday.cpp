@@ -94,12 +94,6 @@ std::string Naming::pair_name(const Domain& domain, const Noun& noun) const {
   return own != nullptr && own->singular == noun.singular ? lexicon_.without_set(domain.members[0].category) : "";
 }
 
-/// "The pizza half" rather than "the half pizza", as there are "pizza halves"; "half a pizza" stays.
-std::string definite_name(const std::string& name) {
-  constexpr std::string_view kHalf = "half ";
-  return name.starts_with(kHalf) && name.find(" of ") == name.npos ? name.substr(kHalf.size()) + " half" : name;
-}
-
 Words Naming::first_everyday(const NounPhrase& said, const Noun& noun, Place place, const Description& description) {
   const std::string tail = description.tail(is_plural(noun));
   const bool described = !said.modifiers.empty() && !place.wanted;
@@ -117,7 +111,7 @@ Words Naming::first_everyday(const NounPhrase& said, const Noun& noun, Place pla
   const bool definite = the || place.unique || (described && !place.inside_description && !one_of_a_room);
   if (const std::string pair = definite ? pair_name(said.noun, noun) : ""; !pair.empty())
     return {"the " + description.before + pair + description.tail(true), true};
-  if (definite) return {"the " + description.before + definite_name(noun.singular) + tail, is_plural(noun)};
+  if (definite) return {"the " + description.before + noun.singular + tail, is_plural(noun)};
   const std::string one = description.before + (noun.countable ? noun.singular : "piece of " + noun.singular) + tail;
   // "The mug on one of the desks", of which there are several.
   const bool told_by_one = place.inside_description && !place.denied && !place.near && said.there > 1 && !described &&

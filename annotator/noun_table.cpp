@@ -179,7 +179,8 @@ NounTable::NounTable(const Knowledge& knowledge, English english) {
       add(made.nouns, things, noun, false, false, true, 2);
     if (said.starts_with(kStalk)) add(made.nouns, said.substr(kStalk.size()), noun, false, false, true, 2);
     if (said.starts_with(kHalf)) {
-      made.names[category.name].plural = said.substr(kHalf.size()) + " halves";
+      if (said.find(" of ") == std::string::npos)
+        made.names[category.name].plural = said.substr(kHalf.size()) + " halves";
       add(made.nouns, said.substr(kHalf.size()) + " half", noun, true, false, false, 0);
       add(made.nouns, made.names[category.name].plural, noun, false, true, false, 0);
     }

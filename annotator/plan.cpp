@@ -163,7 +163,7 @@ class Planner {
     }
   }
 
-  /// "Fill the pot with water, then pour it into a vase.", "Slice a potato, then cook a slice of it."
+  /// "Fill the pot with water, then pour it into a vase.", "Slice a potato, then cook one of the slices."
   void from_the_first(const Formula& f, std::vector<Formula>& finals, std::vector<Clause>& clauses) {
     const Formula &first = f.children[0], &then = f.children[1];
     if (first.op != Op::Atom || then.op != Op::Atom || first.terms[0] == then.terms[0]) return;

@@ -219,7 +219,7 @@ NounPhrase PhraseReader::place() {
 }
 
 bool PhraseReader::slice_of_it(NounPhrase& read) {
-  if (named_.empty() || !accept("a slice of it")) return false;
+  if (named_.empty() || accept_one({"one of the slices", "a slice of it"}) < 0) return false;
   NounPhrase whole;
   whole.determiner = Determiner::Known;
   whole.noun = named_.back();
@@ -259,6 +259,17 @@ bool PhraseReader::both_again(std::vector<NounPhrase>& phrases) {
     phrases.push_back(std::move(again));
   }
   return true;
+}
+
+void PhraseReader::set_put_last(const Clause& clause) {
+  put_last_.reset();
+  if (clause.complements.size() != 1 || clause.complements[0].object.size() != 1) return;
+  put_last_ = clause.complements[0];
+  NounPhrase place;
+  place.determiner = Determiner::Known;
+  place.noun = put_last_->object[0].noun;
+  place.column = put_last_->object[0].column;
+  put_last_->object[0] = std::move(place);
 }
 
 NounPhrase PhraseReader::last_moved() {
@@ -393,6 +404,13 @@ void PhraseReader::left_out(NounPhrase& read) {
     return fail("expected which of them is left out, such as 'but the red one', before this");
   read.except = true;
   read.modifiers = std::move(other.modifiers);
+}
+
+void PhraseReader::exception(Clause& clause) {
+  if (clause.subjects.size() != 1 || clause.subjects[0].determiner != Determiner::Every || clause.subjects[0].except ||
+      !clause.subjects[0].modifiers.empty() || !comes("except"))
+    return;
+  left_out(clause.subjects[0]);
 }
 
 /// "A heated egg", of what is put somewhere: the egg is to be heated. "Cooked" may also say how it is now.

@@ -45,7 +45,7 @@ class PhraseReader {
   NounPhrase phrase();        // reads one; fails where there is none
   /// The same of a place: "the desks" are any of them.
   NounPhrase place();
-  /// "a slice of it", after what it is cut from.
+  /// "one of the slices" or "a slice of it", after what it is cut from.
   bool slice_of_it(NounPhrase& phrase);
   /// A bare plural noun, or a singular one.
   NounPhrase bare_noun(bool plural = true);
@@ -53,6 +53,8 @@ class PhraseReader {
   NounPhrase last_noun();
   /// "both", followed by a place, of the two things that were named: these; false, with nothing read, when none comes.
   bool both_again(std::vector<NounPhrase>& phrases);
+  /// "except for the red one", after all else of a command to every such thing.
+  void exception(Clause& clause);
   /// Things of the kind that was put somewhere last: "don't leave any on the desk".
   NounPhrase last_moved();
   /// "three", "12".
@@ -65,6 +67,8 @@ class PhraseReader {
   void set_occasion(const Domain& needed, const std::string& need) { occasion_ = needed, need_ = lower(need); }
   /// "Another" alone is of this kind from here on.
   void set_moved(const Domain& moved) { moved_ = moved; }
+  /// Where "there, too" is after this command.
+  void set_put_last(const Clause& clause);
   /// From here on what is put somewhere may say what is to be done to it: "put a heated egg on a plate".
   void set_results(bool results) { results_ = results; }
   /// One of `count` meanings of the words.
@@ -108,8 +112,9 @@ class PhraseReader {
   const NounTable& lexicon_;
   WordChoices& choices_;
   std::optional<Domain> occasion_, moved_;
-  std::string need_;           // of the occasion
-  std::vector<Domain> named_;  // what "the red one" may be one of
+  std::optional<Complement> put_last_;  // where "there, too" is
+  std::string need_;                    // of the occasion
+  std::vector<Domain> named_;           // what "the red one" may be one of
   std::vector<NounPhrase> contrasts_;
   int depth_ = 0;  // of descriptions, whose nouns it cannot be
   std::size_t at_ = 0;

@@ -33,6 +33,7 @@ std::optional<Predicate> PhraseReader::on_or_off() const {
 }
 
 bool PhraseReader::complement_comes() const {
+  if (comes("there , too")) return true;
   if (lexicon_.where_at(tokens_, at_).length > 0) return true;
   if (on_or_off()) return true;
   if (peek() == "not" || lexicon_.is_colour(peek())) return true;
@@ -83,6 +84,7 @@ Complement PhraseReader::complement() {
     read.negated = !read.negated;
     return read;
   }
+  if (put_last_ && accept(put_last_->predicate == P::Inside ? "in there , too" : "there , too")) return *put_last_;
   if (const auto where = lexicon_.where_at(tokens_, at_); where.length > 0) {  // "where we wash our hands"
     NounPhrase place;
     place.noun = where.nouns.front();
@@ -126,14 +128,15 @@ void PhraseReader::complements(Clause& into) {
     into.complements.push_back(complement());
   }
   if (either && !into.any_complement) fail("expected 'or' after 'either'");
+  exception(into);
 }
 
 std::string PhraseReader::symbol() {
   std::vector<std::string> words;
   while (!done() && !failed()) {
     bool stop = false;
-    for (const char* end : {",",  ".",  "?",    "!",    ";",   "and", "or",    "before", "until", "then",
-                            "on", "in", "into", "over", "off", "at",  "again", "the",    "is",    "if"})
+    for (const char* end : {",",  ".",    "?",    "!",   ";",  "and",   "or",  "before", "until", "then",  "on",
+                            "in", "into", "over", "off", "at", "again", "the", "is",     "if",    "except"})
       stop |= peek() == end;
     if (stop) break;
     words.push_back(peek());

@@ -94,7 +94,10 @@ class Realiser {
       parts.push_back(*part);
     }
     // "Take the vase off the shelf and put it on the desk. Close the fridge."
-    const auto is_long = [](const std::string& part) { return part.find(" and put ") != part.npos; };
+    // "Put two books on the desk. Only one can stay on the bench."
+    const auto is_long = [](const std::string& part) {
+      return part.find(" and put ") != part.npos || part.starts_with("only ");
+    };
     if (parts.size() < 2 || std::none_of(parts.begin(), parts.end(), is_long))
       return asked(listed(parts, "and"), is_first);
     std::vector<std::string> sentences;

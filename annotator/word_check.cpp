@@ -37,7 +37,7 @@ struct ClassifiedWords {
 bool is_helper(const Tokens& words, std::size_t i) {
   const std::string next = i + 1 < words.size() ? words[i + 1].text : "";
   const std::string last = i > 0 ? words[i - 1].text : "";
-  if (words[i].text == "can") return next == "you" || next == "i" || last == "you" || last == "i";
+  if (words[i].text == "can") return next == "you" || next == "i" || next == "stay" || last == "you" || last == "i";
   return false;
 }
 
@@ -281,7 +281,7 @@ class Check {
     if (goal_.at_least && !says(words_, "same number of") &&
         !any_word(words_, "least. fewer. minimum. more. couple. pair. few. as. or. two. three. evenly."))
       lacks("'at least'");
-    if (goal_.at_most && !any_word(words_, "most. more. maximum. up. than. beyond. exceed")) lacks("'at most'");
+    if (goal_.at_most && !any_word(words_, "most. more. maximum. up. than. beyond. exceed. only")) lacks("'at most'");
     if (!goal_.every && !goal_.none && any_word(text_.plain, "every. each. everything.") && !at_all_times() &&
         !says(words_, "one on each") && !says(words_, "one for each"))
       exceeds("'every'");

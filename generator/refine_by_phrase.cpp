@@ -27,13 +27,17 @@ std::optional<Predicate> only_state(const Formula& goal) {
 }
 
 /// The categories that a phrase means, of those that could satisfy the goal; none when one of them is another part of
-/// the goal, since one word for two parts would be ambiguous.
+/// the goal, since one word for two parts would be ambiguous, and none when the home has something that the phrase
+/// means and that cannot satisfy the goal: a bowl is a dish, too, where bread has to be on a plate.
 std::vector<std::string> served_by(const Alias& phrase, const Specification& plain, const std::string& category,
-                                   const Knowledge& knowledge) {
+                                   const Knowledge& knowledge, const SceneOffer& offer) {
   std::vector<std::string> serving;
   for (const auto& alias : knowledge.aliases()) {
     if (alias.kind != phrase.kind || alias.text != phrase.text) continue;
-    if (contradiction(substituted(plain, category, {alias.category}), knowledge)) continue;
+    if (contradiction(substituted(plain, category, {alias.category}), knowledge)) {
+      if (number_of(offer, alias.category) > 0) return {};
+      continue;
+    }
     const bool other_part =
         alias.category != category && std::any_of(plain.binding.begin(), plain.binding.end(),
                                                   [&](const auto& pair) { return pair.second == alias.category; });
@@ -48,9 +52,9 @@ std::vector<std::string> served_by(const Alias& phrase, const Specification& pla
 /// What each phrase means, for all that mean anything, those first that leave a choice among several categories.
 std::vector<std::vector<std::string>> choices_first(const std::vector<const Alias*>& phrases,
                                                     const Specification& plain, const std::string& category,
-                                                    const Knowledge& knowledge) {
+                                                    const Knowledge& knowledge, const SceneOffer& offer) {
   std::vector<std::vector<std::string>> all;
-  for (const Alias* phrase : phrases) all.push_back(served_by(*phrase, plain, category, knowledge));
+  for (const Alias* phrase : phrases) all.push_back(served_by(*phrase, plain, category, knowledge, offer));
   std::erase_if(all, [](const auto& serving) { return serving.empty(); });
   std::stable_partition(all.begin(), all.end(), [](const auto& serving) { return serving.size() > 1; });
   return all;
@@ -70,6 +74,16 @@ bool is_put_away(const GoalVariable& variable, const Specification& plain, const
   return std::any_of(plain.binding.begin(), plain.binding.end(), [&](const auto& pair) {
     const auto* other = pair.second == variable.category ? nullptr : knowledge.find(pair.second);
     return other != nullptr && uses != nullptr && uses->has(other->kinds, PlaceUse::NotAtHand);
+  });
+}
+
+/// Whether a thing is got ready or brought: who says what they are up to does not want what they need for it filled,
+/// emptied, heated or cut.
+bool is_got_ready(const GoalVariable& variable, const Specification& plain) {
+  const auto asked = predicates_of(plain.goal, variable.variable);
+  return std::all_of(asked.begin(), asked.end(), [](Predicate predicate) {
+    return predicate == Predicate::Held || predicate == Predicate::On || predicate == Predicate::InRoom ||
+           predicate == Predicate::Inside || predicate == Predicate::OnFloor || predicate == Predicate::Clean;
   });
 }
 
@@ -107,7 +121,9 @@ std::optional<Specification> refine_by_phrase(const Specification& plain, const 
                                               const SceneOffer& offer, Style style, Rng rng) {
   std::vector<std::string> choices;
   for (const auto& variable : singular_variables(plain.goal)) {
-    if (style == Style::Context && is_put_away(variable, plain, knowledge, offer.uses)) continue;
+    if (style == Style::Context &&
+        (!is_got_ready(variable, plain) || is_put_away(variable, plain, knowledge, offer.uses)))
+      continue;
     const bool any_kind = style == Style::Hypernym || style == Style::Function;
     if (any_kind && !may_be_any_kind(variable, plain, knowledge, offer.uses)) continue;
     const auto* category = knowledge.find(variable.category);
@@ -122,7 +138,7 @@ std::optional<Specification> refine_by_phrase(const Specification& plain, const 
       std::erase_if(phrases,
                     [&](const Alias* alias) { return !alias->text.starts_with(std::string(info(*state).name) + " "); });
     rng.shuffle(phrases);
-    for (const auto& serving : choices_first(phrases, plain, category, knowledge)) {
+    for (const auto& serving : choices_first(phrases, plain, category, knowledge, offer)) {
       if (style == Style::Function && serving.size() < 2) break;  // a use that only one thing serves is another name
       auto widened = substituted(plain, category, serving);
       widened.split = Split::Linguistic;

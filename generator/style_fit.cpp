@@ -21,10 +21,17 @@ bool asks_for_one_state(const Formula& goal) {
   return asked.op == Op::Atom && asked.terms.size() == 1;
 }
 
-bool has_form_for(Style style, const Formula& goal, bool of_one_thing, bool of_things) {
+/// What a template speaks of.
+struct Matter {
+  bool of_one_thing = false;  // of something that stands once in its goal and is no room
+  bool of_things = false;     // not of rooms alone
+  bool carries_one = false;   // of one thing that can be picked up, and no other
+};
+
+bool has_form_for(Style style, const Formula& goal, const Matter& matter) {
   switch (style) {
     case Style::Alias:  // see may_be_carried
-      return of_things;
+      return matter.of_things;
     case Style::Request:
       return asks_for_one_state(goal);
     case Style::Condition:
@@ -40,11 +47,12 @@ bool has_form_for(Style style, const Formula& goal, bool of_one_thing, bool of_t
     case Style::Function:
     case Style::Hypernym:
     case Style::Description:
-    case Style::Context:
     case Style::Ellipsis:
     case Style::Anaphora:
     case Style::Compound:
-      return of_one_thing;
+      return matter.of_one_thing;
+    case Style::Context:  // "I want to wash my hands" has nothing to do with what else is brought
+      return matter.of_one_thing && matter.carries_one;
     default:
       // Only templates that are written so. Asides ("the egg can stay where it is") seem to come from nowhere, and
       // people do not tell a thing by where it is not.
@@ -70,18 +78,23 @@ std::vector<Style> styles_fitting(const Template& source) {
     return parameter.affordances == std::vector<std::string>{"room"};
   };
   const auto single = singular_variables(source.goal);
-  const bool of_one_thing = std::any_of(single.begin(), single.end(), [&](const GoalVariable& variable) {
+  Matter matter;
+  matter.of_one_thing = std::any_of(single.begin(), single.end(), [&](const GoalVariable& variable) {
     return std::none_of(source.parameters.begin(), source.parameters.end(), [&](const Parameter& parameter) {
       return parameter.name == variable.category && is_room(parameter);
     });
   });
-  const bool of_things = !std::all_of(source.parameters.begin(), source.parameters.end(), is_room);
+  matter.of_things = !std::all_of(source.parameters.begin(), source.parameters.end(), is_room);
   const bool carries = std::any_of(source.parameters.begin(), source.parameters.end(), may_be_carried);
+  const auto picked_up = [](const Parameter& parameter) {
+    const auto& all = parameter.affordances;
+    return std::find(all.begin(), all.end(), "pickupable") != all.end();
+  };
+  matter.carries_one = std::count_if(source.parameters.begin(), source.parameters.end(), picked_up) == 1;
   std::vector<Style> fitting;
   for (std::size_t i = 0; i < kStyleCount; ++i) {
     const auto style = static_cast<Style>(i);
-    if (has_form_for(style, source.goal, of_one_thing, of_things) && (style != Style::Alias || carries))
-      fitting.push_back(style);
+    if (has_form_for(style, source.goal, matter) && (style != Style::Alias || carries)) fitting.push_back(style);
   }
   return fitting;
 }

@@ -65,6 +65,7 @@ bool SceneEditor::set_state(const std::string& id, Predicate predicate, const st
       if (filling.empty() || filling == symbol) filling = truth && symbol != "any" ? symbol : "water";
     }
     node.states.set({value, filling});
+    if (value == Predicate::Dirty) unfold_if_dirty(node);
     if (group->affordance == "openable") {
       const Node original = workspace_.scene().nodes[*index];
       workspace_.replace(*index, std::move(node));

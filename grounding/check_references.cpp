@@ -83,8 +83,17 @@ std::optional<std::string> odd_test(const Formula& test, const std::string& vari
   const FactsOfRooms home(trace.states.front());
   if (test.op == Op::Atom && test.predicate == Predicate::Size) return odd_among_others(meant, others, home);
   const auto related = by_other(test, variable);
-  if (!related || !single) return std::nullopt;
+  if (!related) return std::nullopt;
+  const bool near = related->relation == Predicate::NextTo || related->relation == Predicate::Nearest;
+  if (!single && near) return "several things are told apart by what stands near them";
   const Entities landmarks = members_of(*related->other, *related->variable, trace);
+  if (!single) {
+    const auto has_all = [&](EntityIndex landmark) {
+      return std::all_of(meant.begin(), meant.end(), [&](EntityIndex one) { return home.on_or_in(one, landmark); });
+    };
+    const bool all_on_one = landmarks.size() > 1 && std::any_of(landmarks.begin(), landmarks.end(), has_all);
+    return all_on_one && !related->denied ? std::optional<std::string>("all are on or in one of those") : std::nullopt;
+  }
   if (related->relation == Predicate::Nearest) return odd_nearness(meant, others, landmarks, home);
   if (landmarks.size() > 1) return "there are several of those";
   if (related->denied) return odd_among_others(meant, others, home);

@@ -30,6 +30,9 @@ Household::Household(const Knowledge& knowledge, const CommonSense& sense, Start
   std::set<std::string> room_types;
   for (const Category& category : knowledge.categories())
     room_types.insert(category.rooms.begin(), category.rooms.end());
+  const auto thing_of = [&](const Category& category) {
+    return Thing{std::string(kind_of(category.name)), category.display, category.materials};
+  };
   for (const Category& category : knowledge.categories()) {
     if (const auto* fact = sense.kind_of(knowledge.simulator(), category.name)) {
       kind_[category.name] = fact->kind;
@@ -58,7 +61,7 @@ Household::Household(const Knowledge& knowledge, const CommonSense& sense, Start
     for (const UsualPlace& place : all) {
       const auto& receptacle = place.placement->receptacle;
       const auto* at = sense.kind_of(knowledge.simulator(), receptacle);
-      const Thing thing{std::string(kind_of(category.name)), category.display, category.materials};
+      const Thing thing = thing_of(category);
       if (at != nullptr && is_never_found(sense, thing, role_of(place.placement->relation, at->kind, kinds_))) continue;
       const double time = at != nullptr && sense.used_for(at->kind, PlaceUse::Passing) ? kInPassing : 1;
       const bool is_usual = place.grade == Grade::Usual;
@@ -69,6 +72,15 @@ Household::Household(const Knowledge& knowledge, const CommonSense& sense, Start
       return std::tie(a.receptacle, a.relation) < std::tie(b.receptacle, b.relation);
     });
   }
+  for (const Category& category : knowledge.categories())
+    for (const Category& other : knowledge.categories())
+      if (category.movable && other.movable && sense.may_mean(thing_of(category), thing_of(other)))
+        meant_[category.name].insert(other.name);
+}
+
+bool Household::may_mean(std::string_view name, const std::string& other) const {
+  const auto found = meant_.find(name);
+  return found != meant_.end() && found->second.contains(other);
 }
 
 const std::vector<Household::Place>& Household::places_of(std::string_view category) const {

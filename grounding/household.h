@@ -54,6 +54,8 @@ class Household {
   bool passes(std::string_view receptacle) const { return passing_.contains(receptacle); }
   /// Whether each thing of the category belongs to somebody (Kind::personal).
   bool is_personal(std::string_view category) const;
+  /// Whether the name of a category is a generic word that could mean a thing of the other: "fruit" an apple.
+  bool may_mean(std::string_view name, const std::string& other) const;
   /// How usual it is that things of a movable category are on the floor, from 0 to 1: 0 unless CommonSense calls it
   /// usual, but toys are left there at times.
   double on_floor(std::string_view category) const;
@@ -88,7 +90,8 @@ class Household {
   std::set<std::string, std::less<>> passing_;            // receptacles of PlaceUse::Passing
   std::map<std::string, std::vector<Place>, std::less<>> places_;
   std::map<std::string, std::map<std::string, double, std::less<>>, std::less<>> rooms_;  // by kind, then type of room
-  std::map<std::string, double, std::less<>> on_floor_;                                   // by kind
+  std::map<std::string, std::set<std::string>, std::less<>> meant_;  // by a category with a generic name: others
+  std::map<std::string, double, std::less<>> on_floor_;              // by kind
 };
 
 /// The household of a simulator from the tables of data/sense. Errors: the first of those tables.

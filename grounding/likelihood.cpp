@@ -119,6 +119,7 @@ Oddness oddness_of(const Workspace& workspace, const Node& node, std::string* re
   const Home* home = workspace.home();
   const auto at_home = home == nullptr ? std::nullopt : home->places.find(node.id);
   const Node* before = at_home ? &home->scene.nodes[*at_home] : nullptr;
+  if (node.states.has(Predicate::Dirty) && node.states.has(Predicate::Folded)) return odd("dirty and folded");
   Oddness worst = Oddness::None;
   for (const auto& [relation, host] : where.hosts) {
     const Node& there = workspace.scene().nodes[host];

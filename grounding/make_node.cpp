@@ -79,6 +79,11 @@ bool can_be(const Node& node, const Knowledge& knowledge, const State& state) {
   });
 }
 
+void unfold_if_dirty(Node& node) {
+  if (node.states.has(Predicate::Dirty) && node.states.has(Predicate::Folded))
+    node.states.set({Predicate::Unfolded, {}});
+}
+
 namespace {
 
 /// Whether it opens without that anything has to be kept free of its doors.
@@ -100,6 +105,7 @@ void draw_likely_states(Node& node, const Knowledge& knowledge, const Household&
     }
     node.states.set(likely.state);
   }
+  unfold_if_dirty(node);
 }
 
 }  // namespace

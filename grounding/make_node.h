@@ -28,6 +28,9 @@ struct HostRelation {
 /// some vessels full, some laptops and books open. Furniture with doors stays shut.
 void draw_states(Node& node, const Workspace& workspace, const HostRelation& host_relation, Rng& rng);
 
+/// Nobody folds what is dirty: such a thing is unfolded.
+void unfold_if_dirty(Node& node);
+
 /// Whether a thing of this kind can be in a state at all.
 bool can_be(const Node& node, const Knowledge& knowledge, const State& state);
 

@@ -1,8 +1,11 @@
 #include "run/fit_of_home.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
+#include "annotator/everyday_names.h"
+#include "core/text.h"
 #include "generator/fixed_start.h"
 #include "generator/propose.h"
 #include "grounding/goal_places.h"
@@ -19,17 +22,90 @@ bool is_usual_room_of(const std::string& place, const std::string& room, const K
   return std::find(usual.begin(), usual.end(), room) != usual.end();
 }
 
-/// Whether the home has furniture of another category that the category's name could mean: of the same name, or of one
-/// that ends in it.
-bool has_namesake(const std::string& category, const Home& home, const NounTable& nouns) {
-  const auto* own = nouns.display(category);
-  if (own == nullptr) return false;
+/// What people say for a category; "" when it has no name.
+std::string spoken_name(const std::string& category, const NounTable& nouns) {
+  const auto* name = nouns.display(category);
+  if (name == nullptr) return "";
+  const auto everyday = everyday_name(name->singular, English::Us);
+  return everyday.empty() ? name->singular : std::string(everyday);
+}
+
+/// Whether the home has furniture of another category that the category's name could mean: of the same name, of one
+/// that ends in it, or of a kind that is called so ("the shelf" beside a shelving unit).
+bool has_namesake(const std::string& category, const Home& home, const Household& household, const NounTable& nouns) {
+  const std::string own = spoken_name(category, nouns);
+  if (own.empty()) return false;
   const auto& nodes = home.scene.nodes;
   return std::any_of(nodes.begin(), nodes.end(), [&](const Node& node) {
     if (node.movable || node.category == category) return false;
-    const auto* name = nouns.display(node.category);
-    return name != nullptr && (name->singular == own->singular || name->singular.ends_with(" " + own->singular));
+    const std::string other = spoken_name(node.category, nouns);
+    return other == own || other.ends_with(" " + own) || household.kind_of(node.category) == own;
   });
+}
+
+/// Whether the home has something of another category that a listener could bring for what can be carried: "the bowl"
+/// beside a mixing bowl, "the fruit" beside an apple.
+bool has_likeness(const std::string& category, const Home& home, const Household& household, const NounTable& nouns) {
+  const std::string own = spoken_name(category, nouns);
+  if (own.empty()) return false;
+  const auto& nodes = home.scene.nodes;
+  return std::any_of(nodes.begin(), nodes.end(), [&](const Node& node) {
+    return node.movable && node.category != category &&
+           (household.may_mean(category, node.category) || spoken_name(node.category, nouns).ends_with(" " + own));
+  });
+}
+
+/// Whether all that the goal says of a variable is that it is open, closed or switched off, or not covered, in the end:
+/// of several, nobody wants just one put right.
+bool is_put_right(const Formula& goal, const std::string& variable) {
+  std::vector<const Formula*> said;
+  bool right = false;
+  const auto read = [&](const auto& self, const Formula& formula, bool denied) -> void {
+    if (formula.op == Formula::Op::Atom) {
+      if (std::none_of(formula.terms.begin(), formula.terms.end(),
+                       [&](const Term& term) { return term.name == variable; }))
+        return;
+      said.push_back(&formula);
+      right = denied ? formula.predicate == Predicate::Covered
+                     : formula.predicate == Predicate::Open || formula.predicate == Predicate::Closed ||
+                           formula.predicate == Predicate::PowerOff;
+    }
+    for (const Formula& child : formula.children) self(self, child, denied != (formula.op == Formula::Op::Not));
+  };
+  read(read, goal, false);
+  return said.size() == 1 && right;
+}
+
+/// "bottle" of "soap bottle" and of "bottle of hand soap"
+std::string head_of(const std::string& name) {
+  const auto words = split(name.substr(0, name.find(" of ")), ' ');
+  return words.empty() ? "" : words.back();
+}
+
+/// Whether one of the two names has all the words of the other and the same head: "soap bottle", "bottle of hand soap".
+bool includes_name(const std::string& one, const std::string& other) {
+  if (head_of(one) != head_of(other)) return false;
+  const auto words = [](const std::string& name) {
+    std::set<std::string> all;
+    for (const std::string& word : split(name, ' ')) all.insert(word);
+    all.erase("of");
+    return all;
+  };
+  const auto a = words(one), b = words(other);
+  return std::includes(a.begin(), a.end(), b.begin(), b.end()) || std::includes(b.begin(), b.end(), a.begin(), a.end());
+}
+
+/// Whether the goal speaks of two categories by names of which one could mean the other.
+bool mixes_names(const std::vector<QuantifiedDomain>& domains, const NounTable& nouns) {
+  std::set<std::string> categories;
+  for (const QuantifiedDomain& one : domains)
+    if (one.domain.members.size() == 1) categories.insert(one.domain.members.front().category);
+  std::vector<std::string> names;
+  for (const std::string& category : categories) names.push_back(spoken_name(category, nouns));
+  for (std::size_t i = 0; i < names.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (!names[i].empty() && !names[j].empty() && includes_name(names[i], names[j])) return true;
+  return false;
 }
 
 /// Whether each place that the goal names for a thing stands somewhere in a room where people have such places and keep
@@ -85,7 +161,9 @@ bool leaves_open(const Formula& goal, const Layout& layout, const Household& hou
   const Home& home = layout.home;
   const auto is_open = [&](const QuantifiedDomain& one) {
     const Domain& asked = one.domain;
-    if (asked.members.empty() || !asked.where.empty()) return false;
+    if (asked.members.empty()) return false;
+    if (asked.members.size() == 1 && has_likeness(asked.members.front().category, home, household, nouns)) return true;
+    if (!asked.where.empty()) return false;
     const std::string& category = asked.members.front().category;
     if (one.op == Formula::Op::Count) return household.is_personal(category) && asked.members.size() == 1;
     if (one.op != Formula::Op::Exists) return false;
@@ -99,14 +177,15 @@ bool leaves_open(const Formula& goal, const Layout& layout, const Household& hou
     }
     if (there.empty()) return false;
     const bool fixed = !home.scene.nodes[there.front()].movable;
-    if (fixed && asked.members.size() == 1 && has_namesake(category, home, nouns)) return true;
+    if (fixed && asked.members.size() == 1 && has_namesake(category, home, household, nouns)) return true;
     if (there.size() < 2) return false;
+    if (is_put_right(goal, one.variable)) return true;
     if (!fixed) return asked.members.size() == 1 && household.is_personal(category);
     return std::any_of(there.begin(), there.end(),
                        [&](std::size_t node) { return home.rooms[node] != home.rooms[there.front()]; });
   };
   const auto domains = quantified_domains(goal);
-  return std::any_of(domains.begin(), domains.end(), is_open);
+  return mixes_names(domains, nouns) || std::any_of(domains.begin(), domains.end(), is_open);
 }
 
 RoomSuits rooms_for(const Formula& goal, const Household& household, const Knowledge& knowledge) {

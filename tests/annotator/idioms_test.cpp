@@ -62,12 +62,12 @@ constexpr Said kSaid[] = {
     {"Slice the apple, then cook a slice of it.",
      "(exists (?a - Apple) (exists (?s - Apple/slice) (and (before (sliced ?a) (cooked ?s))"
      " (at-end (and (slice_of ?s ?a) (cooked ?s))))))",
-     "cook a slice of it"},
+     "cook one of the slices"},
     {"Open the fridge, take all the mugs out of it and put them down, and close it again.",
      "(exists (?f - Fridge) (and (sometime (open ?f)) (at-end (and (closed ?f) (count = 0 (?a - Mug) (inside ?a ?f))"
      " (count = 0 (?b - Mug) (held ?b))))))",
      ", and close "},
-    {"If the fridge is open, put a mug in it. If not, put it on a table.",
+    {"If the fridge is open, put a mug in it. If not, put one on a table.",
      "(or (exists (?f - (Fridge :where (open ?f))) (exists (?m - Mug) (at-end (inside ?m ?f))))"
      " (exists (?f - (Fridge :where (closed ?f))) (exists (?m - Mug) (exists (?t - Table) (at-end (on ?m ?t))))))",
      nullptr},
@@ -113,7 +113,7 @@ constexpr Said kSaid[] = {
     {"Put two mugs on the table and leave no more than one on the coffee table.",
      "(exists (?t - Table) (exists (?c - CoffeeTable) (at-end (and (count = 2 (?m - Mug) (on ?m ?t))"
      " (count <= 1 (?o - Mug) (on ?o ?c))))))",
-     "leave no more than one on "},
+     "nly one can stay on "},
     {"Put a mug on the table and don't leave any on the coffee table.",
      "(exists (?t - Table) (exists (?c - CoffeeTable) (exists (?m - Mug) (at-end (and (on ?m ?t)"
      " (forall (?o - Mug) (not (on ?o ?c))))))))",
@@ -133,6 +133,18 @@ constexpr Said kSaid[] = {
     {"Put all the mugs either in the fridges or on the tables.",
      "(forall (?m - Mug) (at-end (or (exists (?f - Fridge) (inside ?m ?f)) (exists (?t - Table) (on ?m ?t)))))",
      "ut each of the mugs in a fridge or on a table"},
+    {"Put all the mugs on the table except the red one.",
+     "(exists (?t - Table) (and (always (forall (?r - (Mug :where (colour ?r red))) (not (on ?r ?t))))"
+     " (at-end (forall (?m - (Mug :where (not (colour ?m red)))) (on ?m ?t)))))",
+     nullptr},
+    {"Take the mug out of the fridge and put it on the table. Put the apple there, too.",
+     "(exists (?t - Table) (exists (?m - (Mug :where (exists (?f - Fridge) (inside ?m ?f)))) (exists (?a - Apple)"
+     " (at-end (and (on ?m ?t) (on ?a ?t))))))",
+     nullptr},
+    {"If the fridge is open, put a mug in it. If not, put a mug on a table.",
+     "(or (exists (?f - (Fridge :where (open ?f))) (exists (?m - Mug) (at-end (inside ?m ?f))))"
+     " (exists (?f - (Fridge :where (closed ?f))) (exists (?m - Mug) (exists (?t - Table) (at-end (on ?m ?t))))))",
+     nullptr},
 };
 
 TEST(Idioms, AreReadAsExactlyTheirGoals) {
