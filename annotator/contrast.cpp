@@ -72,8 +72,9 @@ std::optional<std::string> contrasted(const std::string& text, const Formula& go
     const auto end = static_cast<std::size_t>(last.column) - 1 + last.text.size();
     const bool goes_on = tokens[i + 2 + length].text != "." && tokens[i + 2 + length].text != "?";
     const auto* name = lexicon.display(thing->members[0].category);
-    const bool plural =
-        name != nullptr && name->singular.ends_with('s') && (!name->countable || name->plural == name->singular);
+    const bool pair = name != nullptr && name->singular.starts_with("pair of ") && tokens[i + 2].text != "pair";
+    const bool plural = pair || (name != nullptr && name->singular.ends_with('s') &&
+                                 (!name->countable || name->plural == name->singular));
     const std::string other = ", not the " + rng.pick(words) + (plural ? " ones" : " one");
     return text.substr(0, end) + other + (goes_on && text[end] != ',' ? "," : "") + text.substr(end);
   }

@@ -129,7 +129,8 @@ Words Naming::first_everyday(const NounPhrase& said, const Noun& noun, Place pla
   if (said.there == 2 && place.moved && noun.countable &&
       std::any_of(plan_.distinct.begin(), plan_.distinct.end(), is_this))
     return {"one " + one};
-  if (says_one_of(said, noun, place, described)) return {"one of the " + noun.plural};
+  const bool of_pairs = noun.plural.starts_with("pairs of ");  // "a pair of pants"
+  if (!of_pairs && says_one_of(said, noun, place, described)) return {"one of the " + noun.plural};
   if (noun.countable) return {with_article(one)};
   return {"some " + description.before + noun.singular + tail, is_plural(noun)};
 }

@@ -39,7 +39,9 @@ bool has_form_for(Style style, const Formula& goal, const Matter& matter) {
     case Style::Exception:
       return any_part(goal, [](const Formula& f) { return f.op == Op::Forall && f.children[0].op == Op::AtEnd; });
     case Style::InvertedOrder:
-      return any_part(goal, [](const Formula& f) { return f.op == Op::Before; });
+      // "Before you open the microwave, turn it off" does not ask to open it.
+      return any_part(goal, [](const Formula& f) { return f.op == Op::Before; }) &&
+             !any_part(goal, [](const Formula& f) { return f.op == Op::Atom && f.predicate == Predicate::PowerOff; });
     case Style::VagueQuantity:
       return any_part(goal, [](const Formula& f) {
         return f.op == Op::Count && f.comparison == Comparison::AtLeast && (f.number == 2 || f.number == 3);

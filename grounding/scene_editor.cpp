@@ -226,6 +226,18 @@ bool SceneEditor::move_to(const std::string& id, const Pose& pose) {
   return true;
 }
 
+/// What is put into a fridge is cool, as all that was there.
+void SceneEditor::chill(const std::string& id, Predicate relation, const std::string& receptacle) {
+  if (workspace_.household() == nullptr) return;
+  Node node = workspace_.scene().nodes[*index_of(id)];
+  const std::string& there = workspace_.scene().nodes[*index_of(receptacle)].category;
+  for (const LikelyState& likely : workspace_.household()->states_of(node.category, relation, there)) {
+    const bool cold = likely.state.predicate == Predicate::Cool || likely.state.predicate == Predicate::Frozen;
+    if (cold && likely.share >= 1 && can_be(node, workspace_.knowledge(), likely.state)) node.states.set(likely.state);
+  }
+  replace(std::move(node));
+}
+
 bool SceneEditor::put(const std::string& id, Predicate relation, const std::string& receptacle) {
   const auto index = index_of(id);
   if (!index || !workspace_.scene().nodes[*index].movable) {
@@ -244,6 +256,7 @@ bool SceneEditor::put(const std::string& id, Predicate relation, const std::stri
         find_place(workspace_, node, *index_of(id), relation, *index_of(receptacle), {.draws = draws_}, next_rng());
     if (place.pose) {
       move_to(id, *place.pose);
+      chill(id, relation, receptacle);
       return true;
     }
     obstacle = place.obstacle;

@@ -43,6 +43,39 @@ bool has_namesake(const std::string& category, const Home& home, const Household
   });
 }
 
+/// Whether furniture of another category, but of the same name, stands in a room with some of this one.
+bool has_twin(const std::string& category, const Home& home, const NounTable& nouns) {
+  const auto& there = home.places.of(category);
+  if (there.empty() || home.scene.nodes[there.front()].movable) return false;
+  const std::string own = spoken_name(category, nouns);
+  for (std::size_t other = 0; other < home.scene.nodes.size(); ++other) {
+    const Node& node = home.scene.nodes[other];
+    if (node.movable || node.category == category || spoken_name(node.category, nouns) != own) continue;
+    if (std::any_of(there.begin(), there.end(), [&](std::size_t one) { return home.rooms[one] == home.rooms[other]; }))
+      return true;
+  }
+  return false;
+}
+
+/// "bottle" of "soap bottle" and of "bottle of hand soap"
+std::string head_of(const std::string& name) {
+  const auto words = split(name.substr(0, name.find(" of ")), ' ');
+  return words.empty() ? "" : words.back();
+}
+
+/// Whether one of the two names has all the words of the other and the same head: "soap bottle", "bottle of hand soap".
+bool includes_name(const std::string& one, const std::string& other) {
+  if (head_of(one) != head_of(other)) return false;
+  const auto words = [](const std::string& name) {
+    std::set<std::string> all;
+    for (const std::string& word : split(name, ' ')) all.insert(word);
+    all.erase("of");
+    return all;
+  };
+  const auto a = words(one), b = words(other);
+  return std::includes(a.begin(), a.end(), b.begin(), b.end()) || std::includes(b.begin(), b.end(), a.begin(), a.end());
+}
+
 /// Whether the home has something of another category that a listener could bring for what can be carried: "the bowl"
 /// beside a mixing bowl, "the fruit" beside an apple.
 bool has_likeness(const std::string& category, const Home& home, const Household& household, const NounTable& nouns) {
@@ -50,8 +83,11 @@ bool has_likeness(const std::string& category, const Home& home, const Household
   if (own.empty()) return false;
   const auto& nodes = home.scene.nodes;
   return std::any_of(nodes.begin(), nodes.end(), [&](const Node& node) {
-    return node.movable && node.category != category &&
-           (household.may_mean(category, node.category) || spoken_name(node.category, nouns).ends_with(" " + own));
+    if (!node.movable || node.category == category) return false;
+    const std::string other = spoken_name(node.category, nouns);
+    // "Bottle of hand soap" has all the words of "soap bottle", and people call the one by the other.
+    const bool same_words = own.find(" of ") != std::string::npos && includes_name(own, other);
+    return household.may_mean(category, node.category) || other.ends_with(" " + own) || same_words;
   });
 }
 
@@ -74,25 +110,6 @@ bool is_put_right(const Formula& goal, const std::string& variable) {
   };
   read(read, goal, false);
   return said.size() == 1 && right;
-}
-
-/// "bottle" of "soap bottle" and of "bottle of hand soap"
-std::string head_of(const std::string& name) {
-  const auto words = split(name.substr(0, name.find(" of ")), ' ');
-  return words.empty() ? "" : words.back();
-}
-
-/// Whether one of the two names has all the words of the other and the same head: "soap bottle", "bottle of hand soap".
-bool includes_name(const std::string& one, const std::string& other) {
-  if (head_of(one) != head_of(other)) return false;
-  const auto words = [](const std::string& name) {
-    std::set<std::string> all;
-    for (const std::string& word : split(name, ' ')) all.insert(word);
-    all.erase("of");
-    return all;
-  };
-  const auto a = words(one), b = words(other);
-  return std::includes(a.begin(), a.end(), b.begin(), b.end()) || std::includes(b.begin(), b.end(), a.begin(), a.end());
 }
 
 /// Whether the goal speaks of two categories by names of which one could mean the other.
@@ -163,6 +180,7 @@ bool leaves_open(const Formula& goal, const Layout& layout, const Household& hou
     const Domain& asked = one.domain;
     if (asked.members.empty()) return false;
     if (asked.members.size() == 1 && has_likeness(asked.members.front().category, home, household, nouns)) return true;
+    if (asked.members.size() == 1 && has_twin(asked.members.front().category, home, nouns)) return true;
     if (!asked.where.empty()) return false;
     const std::string& category = asked.members.front().category;
     if (one.op == Formula::Op::Count) return household.is_personal(category) && asked.members.size() == 1;
