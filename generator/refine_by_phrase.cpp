@@ -77,13 +77,14 @@ bool is_put_away(const GoalVariable& variable, const Specification& plain, const
   });
 }
 
-/// Whether a thing is got ready or brought: who says what they are up to does not want what they need for it filled,
-/// emptied, heated or cut.
+/// Whether a thing is got ready, switched on or brought: who says what they are up to does not want what they need for
+/// it filled, emptied, heated or cut.
 bool is_got_ready(const GoalVariable& variable, const Specification& plain) {
   const auto asked = predicates_of(plain.goal, variable.variable);
   return std::all_of(asked.begin(), asked.end(), [](Predicate predicate) {
     return predicate == Predicate::Held || predicate == Predicate::On || predicate == Predicate::InRoom ||
-           predicate == Predicate::Inside || predicate == Predicate::OnFloor || predicate == Predicate::Clean;
+           predicate == Predicate::Inside || predicate == Predicate::OnFloor || predicate == Predicate::Clean ||
+           predicate == Predicate::PowerOn;
   });
 }
 
