@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "audit/audit.h"
 #include "cli/command_parser.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
@@ -52,10 +53,21 @@ Json counts_json(const ProofCounts& counts) {
           {"demonstrations", counts.demonstrations},
           {"steps", counts.steps},
           {"altered_plans", counts.altered_plans},
+          {"constrained", counts.constrained},
+          {"tempting", counts.tempting},
           {"texts", counts.texts}};
 }
 
-void print_json(const ValidationReport& report) {
+Json audit_of(const AuditReport& audit) {
+  auto leaks = Json::array();
+  for (const AuditCell& cell : audit.cells) {
+    if (cell.leaks())
+      leaks.push_back({{"policy", cell.policy->name}, {"mode", name_of(cell.mode)}, {"group", cell.group}});
+  }
+  return {{"cells", audit.cells.size()}, {"training_tasks", audit.examples}, {"leaks", std::move(leaks)}};
+}
+
+void print_json(const ValidationReport& report, const std::optional<AuditReport>& audit) {
   auto problems = Json::array();
   for (const auto& problem : report.problems) {
     const auto& error = problem.error;
@@ -77,6 +89,7 @@ void print_json(const ValidationReport& report) {
   json["by_kind"] = std::move(kinds);
   json["likeness"] = Json::array();
   for (const auto& likeness : report.likeness) json["likeness"].push_back(likeness_json(likeness));
+  if (audit) json["audit"] = audit_of(*audit);
   json["unlisted"] = unlisted(report);
   json["problems"] = std::move(problems);
   std::printf("%s\n", json.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
@@ -87,7 +100,7 @@ void print_row(std::string_view name, const ProofCounts& counts) {
               counts.demonstrations, counts.steps, counts.altered_plans, counts.texts);
 }
 
-void print_text(const ValidationReport& report) {
+void print_text(const ValidationReport& report, const std::optional<AuditReport>& audit) {
   for (const auto& problem : report.problems)
     std::printf("%s %s: %s\n", std::string(name_of(problem.kind)).c_str(),
                 problem.task.empty() ? "data set" : for_terminal(problem.task).c_str(), format(problem.error).c_str());
@@ -102,6 +115,17 @@ void print_text(const ValidationReport& report) {
   print_row("all", report.counts);
   for (const auto& [kind, count] : counted(report))
     std::printf("%8lld %s\n", static_cast<long long>(count), std::string(name_of(kind)).c_str());
+  if (audit) {
+    for (const AuditCell& cell : audit->cells) {
+      if (cell.leaks())
+        std::printf("%s is better than chance in %s, %s\n", std::string(cell.policy->name).c_str(),
+                    std::string(name_of(cell.mode)).c_str(), cell.group.c_str());
+    }
+    std::printf("%d of %zu cells of the audit are better than chance\n", audit->leaks(), audit->cells.size());
+  }
+  if (report.counts.constrained > 0)
+    std::printf("%d of %d goals with constraints have an altered plan that breaks one\n", report.counts.tempting,
+                report.counts.constrained);
   std::printf("%d of %d proven\n", report.counts.proven, report.counts.tasks);
 }
 
@@ -129,7 +153,8 @@ class PlanFile {
                     {"mode", name_of(tried.mode)},
                     {"change", name_of(tried.plan.change)},
                     {"actions", std::move(actions)},
-                    {"reaches_goal", tried.plan.reaches_goal}};
+                    {"reaches_goal", tried.plan.reaches_goal},
+                    {"breaks_constraint", tried.plan.breaks_constraint}};
     if (written_) written_ = file_.add(line.dump() + "\n");
   }
   Result<Done> finish() { return written_ ? file_.finish() : written_; }
@@ -139,6 +164,25 @@ class PlanFile {
   FileWriter file_;
   Result<Done> written_ = Done{};
 };
+
+/// What blind policies reach on a sound data set, if it is the whole benchmark: they learn from the first data set that
+/// it is held against.
+Result<std::optional<AuditReport>> audit_if_benchmark(const ValidateOptions& options) {
+  const auto manifest = read_manifest_file(options.folder);
+  if (!manifest || manifest->run.homes != "benchmark" || manifest->run.by_split.empty())
+    return std::optional<AuditReport>();
+  auto tasks = audited_tasks(options.folder, options.threads, [](int) {});
+  if (!tasks) return tasks.error();
+  std::vector<AuditedTask> training;
+  if (!options.against.empty()) {
+    auto examples = audited_tasks(options.against.front(), options.threads, [](int) {});
+    if (!examples) return examples.error();
+    training = std::move(*examples);
+  }
+  AuditSettings settings = whole_audit();
+  settings.threads = options.threads;
+  return std::optional(audit(std::move(*tasks), std::move(training), settings));
+}
 
 Exit validate(ValidateOptions& options, const CommandLine& program) {
   if (options.kinds) {
@@ -179,8 +223,10 @@ Exit validate(ValidateOptions& options, const CommandLine& program) {
   if (plans) {
     if (const auto written = plans->finish(); !written) return refuse(written.error());
   }
-  options.json ? print_json(report) : print_text(report);
-  return report.sound() ? Exit::Ok : Exit::Wrong;
+  auto audit = report.sound() ? audit_if_benchmark(options) : Result(std::optional<AuditReport>());
+  if (!audit) return refuse(audit.error());
+  options.json ? print_json(report, *audit) : print_text(report, *audit);
+  return report.sound() && (!*audit || (*audit)->leaks() == 0) ? Exit::Ok : Exit::Wrong;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "generator/goal_parts.h"
 #include "grounding/check_start.h"
+#include "grounding/decoys.h"
 #include "grounding/edits_in_words.h"
 #include "grounding/enforce.h"
 #include "grounding/goal_places.h"
@@ -88,6 +89,23 @@ void keep_standing(Workspace& workspace, const Home& home) {
   workspace.read_edges();
 }
 
+/// A start as it will be written and read.
+struct Start {
+  Delta changes;  // from the home
+  Scene scene;
+  GrownScene grown;
+};
+
+Start read_start(SceneEditor& editor, const Home& home) {
+  keep_standing(editor.workspace(), home);
+  editor.refresh();
+  Start start;
+  start.changes = editor.workspace().changes();
+  start.scene = start_in(home.scene, home.places, start.changes);  // in the order that it will be read in
+  start.grown = read_grown(home, start.scene);
+  return start;
+}
+
 /// Why no home looks like the start: more than 8 things differ from the home, more than 2 pieces of furniture of a
 /// category were changed alike, or something that was changed is odd where it is (oddness_of); nullopt when some does.
 std::optional<GroundingFailure> odd_start(const Workspace& workspace, bool dangerous) {
@@ -127,27 +145,25 @@ std::variant<Grounded, Rejection> ground(const Specification& specification, con
   for (const Formula& constraint : constraints) compared.add(constraint);
   Enforcer enforcer(editor, std::move(compared), rng.fork("choices", 0));
   const auto parts = goal_parts(specification.goal);
-  Episode episode;
-  GrownScene grown;
+  const auto is_sound = [&] {
+    return std::all_of(constraints.begin(), constraints.end(),
+                       [&](const Formula& constraint) { return enforcer.holds(constraint); }) &&
+           std::none_of(parts.begin(), parts.end(), [&](const Formula& part) { return holds(part, enforcer.now()); });
+  };
+  const auto problem_of = [&](const Start& start, bool natural) {
+    return check_start(specification, home, start.scene, start.grown, editor.touched(), knowledge, profile,
+                       {options.pictured, natural});
+  };
+  Start start;
   std::optional<GroundingFailure> problem;
   for (int attempt = 0; attempt < kRepairs; ++attempt) {
     if (!within_rounds(enforcer, editor, constraints, parts, options.rounds)) {
       return rejected(specification, home.scene, editor.failure());
     }
-    const auto is_sound = [&] {
-      return std::all_of(constraints.begin(), constraints.end(),
-                         [&](const Formula& constraint) { return enforcer.holds(constraint); }) &&
-             std::none_of(parts.begin(), parts.end(), [&](const Formula& part) { return holds(part, enforcer.now()); });
-    };
     polish(editor, goal_places(specification.goal), is_sound);
     make_ready(editor, specification, is_sound);
-    keep_standing(workspace, home);
-    editor.refresh();
-    episode.changes = workspace.changes();
-    episode.start = start_in(home.scene, home.places, episode.changes);  // in the order that it will be read in
-    grown = read_grown(home, episode.start);
-    problem = check_start(specification, home, episode.start, grown, editor.touched(), knowledge, profile,
-                          {options.pictured, options.likely});
+    start = read_start(editor, home);
+    problem = problem_of(start, options.likely);
     if (!problem) break;
     // What stands out of reach or unsteadily gets another place, then all is checked again.
     const bool misplaced =
@@ -157,10 +173,17 @@ std::variant<Grounded, Rejection> ground(const Specification& specification, con
   }
   if (!problem && options.likely) problem = odd_start(workspace, options.dangerous);
   if (problem) return rejected(specification, home.scene, *problem);
+  if (options.decoys && add_decoys(editor, specification, home, rng.fork("decoys", 0)) > 0) {
+    Start with_decoys = read_start(editor, home);
+    if (is_sound() && !problem_of(with_decoys, true)) start = std::move(with_decoys);
+  }
+  Episode episode;
+  episode.changes = std::move(start.changes);
+  episode.start = std::move(start.scene);
   episode.specification = specification;
   episode.layout = home.scene.id;
   episode.edits = edits_in_words(home, episode.start, episode.changes, knowledge);
-  KnownStart known = known_start(home, episode.start, std::move(grown));
+  KnownStart known = known_start(home, episode.start, std::move(start.grown));
   return Grounded{std::move(episode), std::move(known)};
 }
 

@@ -20,6 +20,7 @@ struct GroundingOptions {
   bool likely = false;                   // a start that no home looks like is rejected (odd_start of ground.cpp)
   bool dangerous = false;                // but something may be where safety forbids it
   const Household* household = nullptr;  // how things are in such homes; nullptr: as the knowledge base says
+  bool decoys = false;                   // things are added besides those that the task needs (decoys.h)
   bool pictured = false;                 // what the goal needs has to show clearly in a picture from somewhere
 };
 

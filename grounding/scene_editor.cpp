@@ -110,7 +110,8 @@ bool SceneEditor::settle_somewhere(Node node, const std::function<bool(const Nod
   return fail(RejectionReason::NoFreePlace, obstacle);
 }
 
-std::optional<std::string> SceneEditor::add_object(const std::string& category) {
+std::optional<std::string> SceneEditor::add_object(const std::string& category,
+                                                   const std::function<bool(const Node&)>& accept) {
   const Category* known = workspace_.knowledge().find(category);
   if (known == nullptr) {
     fail(RejectionReason::UnknownCategory, "the knowledge base has no category " + category);
@@ -119,7 +120,7 @@ std::optional<std::string> SceneEditor::add_object(const std::string& category) 
   Rng rng = next_rng();
   Node node = make_node(workspace_, *known, kMovableSpread, rng);
   const std::string id = node.id;
-  if (!settle_somewhere(std::move(node), [](const Node&) { return true; })) return std::nullopt;
+  if (!settle_somewhere(std::move(node), accept)) return std::nullopt;
   return id;
 }
 

@@ -22,8 +22,11 @@ class SceneEditor {
  public:
   SceneEditor(Workspace& workspace, GoalPlaces avoid, const Profile& profile, int draws, Rng rng);
 
-  /// A new object of the category where the knowledge puts it, away from the goal's places. Its id, or nullopt.
-  std::optional<std::string> add_object(const std::string& category);
+  /// A new object of the category where the knowledge puts it, on or in a receptacle that `accept` likes, away from the
+  /// goal's places. Its id, or nullopt.
+  std::optional<std::string> add_object(
+      const std::string& category,
+      const std::function<bool(const Node& receptacle)>& accept = [](const Node&) { return true; });
   /// A new piece of furniture in the given room. Whether it shuts off another room is not looked at.
   std::optional<std::string> add_furniture(const std::string& category, std::size_t room);
   /// Whether every room can still be walked to.

@@ -202,6 +202,7 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
   grounding.likely = plan.least == Grade::Usual;
   grounding.dangerous = source.purpose.name == "safety";
   grounding.household = resources.recipe(slot.simulator).household.get();
+  grounding.decoys = true;
   const auto& modes = configuration.modes;
   grounding.pictured = std::find(modes.begin(), modes.end(), Mode::M3) != modes.end();
   auto grounded =

@@ -42,6 +42,7 @@ Result<Remade> TaskRemaker::make(const RunConfiguration& configuration, const Ta
   const Backend& backend = resources_.backend(specification->simulator);
   GroundingOptions grounding;
   grounding.household = resources_.recipe(specification->simulator).household.get();
+  grounding.decoys = true;
   const auto& modes = configuration.modes;
   grounding.pictured = std::find(modes.begin(), modes.end(), Mode::M3) != modes.end();
   auto grounded = ground(*specification, *prepared(home), backend.knowledge, backend.profile, grounding,

@@ -63,7 +63,7 @@ std::vector<StateSet> states_held(const World& world) {
 class PlanChanger {
  public:
   PlanChanger(const Formula& goal, const World& start, Mode mode, const TraceMaker& traces, std::string where)
-      : goal_(goal), start_{ModeEpisode(start, mode), {}, {}}, traces_(traces), where_(std::move(where)) {}
+      : goal_(goal), asked_(without_constraints(goal)), start_{ModeEpisode(start, mode), {}, {}}, traces_(traces), where_(std::move(where)) {}
 
   void leave_out_each(const std::vector<Action>& plan, const std::vector<bool>& search) {
     Rollout here = start_;
@@ -130,9 +130,11 @@ class PlanChanger {
 
   bool reaches_goal(PlanChange change, Rollout& rollout, std::span<const Action> rest) {
     for (const Action& action : rest) rollout.act(action);
-    const bool reached = holds(goal_, traces_.of(rollout.changes));
+    const Trace trace = traces_.of(rollout.changes);
+    const bool reached = holds(goal_, trace);
+    const bool breaks = !reached && asked_ != goal_ && holds(asked_, trace);
     rollout.commands.push_back(by_ids({ActionType::Stop, {}}));
-    done_.plans.push_back({change, std::move(rollout.commands), reached});
+    done_.plans.push_back({change, std::move(rollout.commands), reached, breaks});
     return reached;
   }
 
@@ -196,6 +198,7 @@ class PlanChanger {
   }
 
   const Formula& goal_;
+  Formula asked_;  // without its constraints
   Rollout start_;
   const TraceMaker& traces_;
   std::string where_;

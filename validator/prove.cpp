@@ -171,6 +171,11 @@ class TaskProver {
     auto altered = must_fail(*goal_, world, mode, traces, done.plan, search, where_shown(mode));
     proof_.counts.altered_plans += static_cast<int>(altered.plans.size());
     found(std::move(altered.problems));
+    if (mode == Mode::M1 && without_constraints(*goal_) != *goal_) {
+      ++proof_.counts.constrained;
+      proof_.counts.tempting += std::any_of(altered.plans.begin(), altered.plans.end(),
+                                            [](const AlteredPlan& plan) { return plan.breaks_constraint; });
+    }
     if (!tools_.options.take_plan) return;
     for (AlteredPlan& plan : altered.plans) proof_.plans.push_back({mode, std::move(plan)});
   }

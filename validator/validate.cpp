@@ -196,6 +196,8 @@ void add(ProofCounts& to, const ProofCounts& other) {
   to.demonstrations += other.demonstrations;
   to.steps += other.steps;
   to.altered_plans += other.altered_plans;
+  to.constrained += other.constrained;
+  to.tempting += other.tempting;
   to.texts += other.texts;
 }
 

@@ -87,6 +87,20 @@ TEST_P(AlteredOrders, GiveAwayAnOrderThatTheGoalDoesNotNeed) {
   EXPECT_EQ(found.problems[0].kind, ProblemKind::AnyOrder);
 }
 
+TEST_P(AlteredOrders, SayWhichOfThemBreakAConstraintAlone) {
+  const std::string ordered =
+      "(exists (?x - Apple) (exists (?y - Mug) (exists (?b - SideTable) (and (before (on ?x ?b) (on ?y ?b)) "
+      "(at-end (and (on ?x ?b) (on ?y ?b)))))))";
+  const auto plan = plan_for(ordered);
+  const auto found = altered(ordered, plan, search_in(ordered, plan));
+  for (const AlteredPlan& one : found.plans) {
+    EXPECT_FALSE(one.reaches_goal);
+    EXPECT_EQ(one.breaks_constraint, one.change == PlanChange::SwappedParts);
+  }
+  EXPECT_EQ(found.plans.back().change, PlanChange::SwappedParts);
+  for (const AlteredPlan& one : altered(kCooled, plan_for(kCooled), {}).plans) EXPECT_FALSE(one.breaks_constraint);
+}
+
 INSTANTIATE_TEST_SUITE_P(InEachMode, AlteredOrders, ::testing::Values(Mode::M1),
                          [](const auto& mode) { return std::string(name_of(mode.param)); });
 INSTANTIATE_TEST_SUITE_P(InEachMode, AlteredPlans, ::testing::Values(Mode::M1, Mode::M2, Mode::M3),

@@ -1,0 +1,238 @@
+#include "grounding/decoys.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "grounding/likelihood.h"
+
+namespace unietp {
+namespace {
+
+constexpr int kTriesPerDecoy = 4;
+constexpr std::size_t kMostAdded = 12;  // to one start
+constexpr std::size_t kMostMoved = 12;
+
+/// All that a category is called or stands for in texts.
+std::vector<std::string_view> names_of(const Category& category, const Knowledge& knowledge) {
+  std::vector<std::string_view> names{category.display, category.plural};
+  for (const AliasKind kind : kAliasKinds) {
+    for (const Alias* alias : knowledge.aliases_of(category.name, kind)) names.emplace_back(alias->text);
+  }
+  return names;
+}
+
+/// "Table" may mean a coffee table.
+bool may_mean(std::string_view name, std::string_view other) {
+  return other.ends_with(name) && (other.size() == name.size() || other[other.size() - name.size() - 1] == ' ');
+}
+
+class Decoys {
+ public:
+  Decoys(SceneEditor& editor, const Specification& specification, const Home& home, Rng rng)
+      : editor_(editor), home_(home), rng_(rng) {
+    for (const std::string& category : categories_of(specification.goal)) speak_of(category);
+    for (const Formula& constraint : specification.init) {
+      for (const std::string& category : categories_of(constraint)) speak_of(category);
+    }
+    for (const auto& [category, places] : goal_places(specification.goal)) places_.insert(places.begin(), places.end());
+    for (const Effect& effect : knowledge().effects()) {
+      if (effect.treatment == Treatment::Slices && effect.gives != effect.target) sliced_.insert(effect.gives);
+    }
+  }
+
+  int run(const Formula& goal) {
+    std::vector<std::string> asked = categories_of(goal);
+    std::sort(asked.begin(), asked.end());
+    asked.erase(std::unique(asked.begin(), asked.end()), asked.end());
+    for (const std::string& category : asked) {
+      const auto rooms = rooms_of_added(category);
+      if (!rooms.empty()) add_for(*knowledge().find(category), rooms);
+      for (const Room* room : rooms_of_moved(category)) move_into(room);
+    }
+    return static_cast<int>(added_ + moved_);
+  }
+
+ private:
+  Workspace& workspace() { return editor_.workspace(); }
+  const Knowledge& knowledge() { return workspace().knowledge(); }
+
+  void speak_of(const std::string& name) {
+    const Category* category = knowledge().find(name);
+    if (category == nullptr || !spoken_.insert(name).second) return;
+    const auto names = names_of(*category, knowledge());
+    names_.insert(names.begin(), names.end());
+  }
+
+  /// Of the movable things of a category that the home lacks: the room of each.
+  std::vector<const Room*> rooms_of_added(const std::string& category) {
+    std::vector<const Room*> rooms;
+    for (const std::size_t place : workspace().places().of(category)) {
+      const Node& node = workspace().scene().nodes[place];
+      if (node.movable && !home_.places.find(node.id)) rooms.push_back(workspace().room_of(place));
+    }
+    return rooms;
+  }
+
+  /// Of the movable things of a category that are elsewhere in the home: the room of each.
+  std::vector<const Room*> rooms_of_moved(const std::string& category) {
+    std::vector<const Room*> rooms;
+    for (const std::size_t place : workspace().places().of(category)) {
+      const Node& node = workspace().scene().nodes[place];
+      const auto before = home_.places.find(node.id);
+      if (node.movable && before && home_.scene.nodes[*before].pose.position != node.pose.position)
+        rooms.push_back(workspace().room_of(place));
+    }
+    return rooms;
+  }
+
+  std::size_t number_in_home(const std::string& category) const { return home_.places.of(category).size(); }
+
+  bool can_be_decoy(const Category& category) {
+    const auto* household = workspace().household();
+    return category.movable && !sliced_.contains(category.name) && !spoken_.contains(category.name) &&
+           (household == nullptr || !household->places_of(category.name).empty());
+  }
+
+  bool is_spoken_of(const Category& category) {
+    const auto names = names_of(category, knowledge());
+    return std::any_of(names.begin(), names.end(), [&](std::string_view name) {
+      return std::any_of(names_.begin(), names_.end(),
+                         [&](std::string_view other) { return may_mean(name, other) || may_mean(other, name); });
+    });
+  }
+
+  /// Those of which the home has as many as of the category come first, in a random order.
+  std::vector<const Category*> like(const Category& asked) {
+    const auto number = static_cast<int>(number_in_home(asked.name));
+    const bool has_models = !knowledge().assets_of(asked.name).empty();
+    std::vector<std::pair<int, const Category*>> others;
+    for (const Category& category : knowledge().categories()) {
+      if (!can_be_decoy(category) || knowledge().assets_of(category.name).empty() == has_models) continue;
+      others.emplace_back(std::abs(static_cast<int>(number_in_home(category.name)) - number), &category);
+    }
+    rng_.shuffle(others);
+    std::stable_sort(others.begin(), others.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<const Category*> alike;
+    for (const auto& [gap, category] : others) alike.push_back(category);
+    return alike;
+  }
+
+  void add_for(const Category& asked, const std::vector<const Room*>& rooms) {
+    int left = kDecoys, tries = kTriesPerDecoy * kDecoys;
+    for (const Category* category : like(asked)) {
+      if (left == 0 || tries == 0 || added_ + rooms.size() > kMostAdded) break;
+      const bool suits =
+          std::all_of(rooms.begin(), rooms.end(), [&](const Room* room) { return is_kept_in(*category, room); });
+      if (!suits || is_spoken_of(*category)) continue;
+      --tries;
+      if (add_in_each(*category, rooms)) --left;
+      spoken_.insert(category->name);  // each once
+    }
+  }
+
+  /// Moves things of the home that the task does not speak of into the room, each once.
+  void move_into(const Room* room) {
+    std::vector<std::string> ids;
+    for (const Node& node : home_.scene.nodes) {
+      const Category* category = knowledge().find(node.category);
+      if (category == nullptr || !can_be_decoy(*category) || !is_kept_in(*category, room)) continue;
+      const auto place = workspace().places().find(node.id);
+      if (place && workspace().scene().nodes[*place] == node) ids.push_back(node.id);
+    }
+    rng_.shuffle(ids);
+    int left = kDecoys, tries = kTriesPerDecoy * kDecoys;
+    for (const std::string& id : ids) {
+      if (left == 0 || tries-- == 0 || moved_ == kMostMoved) break;
+      if (!move_into(id, room)) continue;
+      ++moved_;
+      --left;
+    }
+  }
+
+  bool move_into(const std::string& id, const Room* room) {
+    const std::size_t place = *workspace().places().find(id);
+    if (!workspace().carried_by(place).empty()) return false;
+    const Node before = workspace().scene().nodes[place];
+    if (!editor_.relocate(id, is_free(room, draw_goal_place(*knowledge().find(before.category))))) return false;
+    if (is_sensible(id)) return true;
+    editor_.replace(before);
+    editor_.refresh();
+    return false;
+  }
+
+  bool is_kept_in(const Category& category, const Room* room) {
+    const auto* household = workspace().household();
+    return room == nullptr || household == nullptr ||
+           household->in_room(category.name, room->type) >= Household::kNoRoom;
+  }
+
+  /// Where a task could want such a thing to be: in one of its usual places, which its start then keeps it from.
+  std::string draw_goal_place(const Category& category) {
+    const auto* household = workspace().household();
+    if (household == nullptr) return {};
+    std::vector<double> weights;
+    const auto& places = household->places_of(category.name);
+    for (const auto& place : places) weights.push_back(place.weight);
+    return places[rng_.weighted(weights)].receptacle;
+  }
+
+  bool add_in_each(const Category& category, const std::vector<const Room*>& rooms) {
+    const std::string wanted = draw_goal_place(category);
+    std::vector<std::string> ids;
+    for (const Room* room : rooms) {
+      if (const auto id = add_in(category, room, wanted)) ids.push_back(*id);
+    }
+    if (ids.size() == rooms.size()) {
+      added_ += ids.size();
+      return true;
+    }
+    for (const std::string& id : ids) editor_.remove(id);
+    return false;
+  }
+
+  std::optional<std::string> add_in(const Category& category, const Room* room, const std::string& wanted) {
+    const auto id = editor_.add_object(category.name, is_free(room, wanted));
+    if (!id || is_sensible(*id)) return id;
+    editor_.remove(*id);
+    return std::nullopt;
+  }
+
+  /// Whether a receptacle is in the room, and not where this task, or one for the thing itself, puts things.
+  std::function<bool(const Node&)> is_free(const Room* room, std::string wanted) {
+    return [this, room, wanted = std::move(wanted)](const Node& host) {
+      const auto place = workspace().places().find(host.id);
+      return host.category != wanted && !places_.contains(host.category) &&
+             (room == nullptr || workspace().room_of(*place) == room);
+    };
+  }
+
+  bool is_sensible(const std::string& id) {
+    editor_.refresh();
+    const Node& node = workspace().scene().nodes[*workspace().places().find(id)];
+    return oddness_of(workspace(), node) != Oddness::Senseless;
+  }
+
+  SceneEditor& editor_;
+  const Home& home_;
+  Rng rng_;
+  std::set<std::string, std::less<>> spoken_;  // categories
+  std::set<std::string_view> names_;           // of these
+  std::set<std::string> places_;               // categories of places that the goal names
+  std::set<std::string_view> sliced_;          // categories that only slicing makes
+  std::size_t added_ = 0, moved_ = 0;
+};
+
+}  // namespace
+
+int add_decoys(SceneEditor& editor, const Specification& specification, const Home& home, Rng rng) {
+  return Decoys(editor, specification, home, rng).run(specification.goal);
+}
+
+}  // namespace unietp

@@ -1,0 +1,102 @@
+#include "grounding/decoys.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "grounding/ground.h"
+#include "homes.h"
+
+namespace unietp {
+namespace {
+
+/// Starts of "put a mug on the table" in homes that people live in, where so many mugs have to be there.
+class DecoyStart : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    style_ = style_of(Simulator::Ai2thor);
+    ASSERT_TRUE(style_);
+  }
+  Home home(std::uint64_t seed) const {
+    auto made = full_home_of(*style_, seed);
+    EXPECT_TRUE(made);
+    return prepare_home(std::move(*made), style_->profile);
+  }
+  std::optional<Episode> start(const Home& home, std::size_t mugs, bool decoys) const {
+    GroundingOptions options;
+    options.household = style_->recipe.household.get();
+    options.decoys = decoys;
+    auto result = ground(specification("(exists (?a - Mug) (exists (?b - DiningTable) (at-end (on ?a ?b))))",
+                                       {"(count >= " + std::to_string(mugs) + " (?a - Mug) (and))",
+                                        "(forall (?a - Mug) (not (exists (?b - DiningTable) (on ?a ?b))))"}),
+                         home, style_->knowledge, style_->profile, options, Rng(7));
+    auto* grounded = std::get_if<Grounded>(&result);
+    return grounded == nullptr ? std::nullopt : std::optional(std::move(grounded->episode));
+  }
+  static std::map<std::string, std::vector<const Node*>> added_to(const Home& home, const Scene& start) {
+    std::map<std::string, std::vector<const Node*>> added;
+    for (const Node& node : start.nodes) {
+      if (!home.places.find(node.id)) added[node.category].push_back(&node);
+    }
+    return added;
+  }
+  static const Room* room_of(const Scene& scene, const Node& node) {
+    return room_at(scene, node.pose.position.head<2>());
+  }
+
+  std::optional<Surroundings> style_;
+};
+
+TEST_F(DecoyStart, HasOtherThingsThatWereAddedToTheSameRooms) {
+  int starts = 0, complete = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    const Home lived_in = home(seed);
+    const std::size_t mugs = lived_in.places.of("Mug").size();
+    const auto made = start(lived_in, mugs + 2, true);
+    if (!made) continue;
+    ++starts;
+    auto added = added_to(lived_in, made->start);
+    ASSERT_EQ(added["Mug"].size(), 2u);
+    std::multiset<const Room*> rooms;
+    for (const Node* mug : added["Mug"]) rooms.insert(room_of(made->start, *mug));
+    if (added.size() == 1 + kDecoys) ++complete;
+    for (const auto& [category, things] : added) {
+      EXPECT_EQ(things.size(), 2u) << category;
+      std::multiset<const Room*> theirs;
+      for (const Node* thing : things) theirs.insert(room_of(made->start, *thing));
+      EXPECT_EQ(theirs, rooms) << category;
+      EXPECT_NEAR(static_cast<double>(lived_in.places.of(category).size()), static_cast<double>(mugs), 1) << category;
+      EXPECT_TRUE(category == "Mug" || style_->knowledge.find(category)->display != "cup") << "which may be a mug";
+    }
+  }
+  EXPECT_GE(starts, 3);
+  EXPECT_GE(complete, starts - 1);
+}
+
+TEST_F(DecoyStart, IsOtherwiseWhatItWouldBeWithoutThem) {
+  const Home lived_in = home(2);
+  const std::size_t mugs = lived_in.places.of("Mug").size() + 1;
+  const auto plain = start(lived_in, mugs, false), made = start(lived_in, mugs, true);
+  ASSERT_TRUE(plain && made);
+  EXPECT_GT(made->start.nodes.size(), plain->start.nodes.size());
+  for (const Node& node : plain->start.nodes) {
+    const Node* same = find_node(made->start, node.id);
+    ASSERT_NE(same, nullptr) << node.id;
+    EXPECT_EQ(*same, node);
+  }
+  EXPECT_EQ(start(lived_in, mugs, true)->start, made->start);
+}
+
+TEST_F(DecoyStart, HasNoneWhereNothingOfTheGoalWasAdded) {
+  const Home lived_in = home(2);
+  const auto made = start(lived_in, 1, true);
+  ASSERT_TRUE(made);
+  ASSERT_GE(lived_in.places.of("Mug").size(), 1u);
+  EXPECT_TRUE(added_to(lived_in, made->start).empty());
+}
+
+}  // namespace
+}  // namespace unietp
