@@ -126,6 +126,9 @@ std::optional<Specification> refine_by_phrase(const Specification& plain, const 
         (!is_got_ready(variable, plain) || is_put_away(variable, plain, knowledge, offer.uses)))
       continue;
     const bool any_kind = style == Style::Hypernym || style == Style::Function;
+    const auto asked = predicates_of(plain.goal, variable.variable);
+    const bool held = std::find(asked.begin(), asked.end(), Predicate::Held) != asked.end();
+    if (style == Style::Hypernym && held) continue;  // "pick up a piece of clothing"
     if (any_kind && !may_be_any_kind(variable, plain, knowledge, offer.uses)) continue;
     const auto* category = knowledge.find(variable.category);
     if (category != nullptr && (category->movable || style != Style::Function)) choices.push_back(variable.category);

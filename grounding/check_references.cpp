@@ -82,6 +82,12 @@ std::optional<std::string> odd_test(const Formula& test, const std::string& vari
                                     const Entities& meant, const Entities& others, const Trace& trace) {
   const FactsOfRooms home(trace.states.front());
   if (test.op == Op::Atom && test.predicate == Predicate::Size) return odd_among_others(meant, others, home);
+  const bool by_dirt =
+      test.op == Op::Atom && (test.predicate == Predicate::Dirty || test.predicate == Predicate::Clean);
+  const auto is_covered = [&](EntityIndex one) { return trace.states.front().holds(Predicate::Covered, one, "any"); };
+  if (by_dirt &&
+      (std::any_of(meant.begin(), meant.end(), is_covered) || std::any_of(others.begin(), others.end(), is_covered)))
+    return "what is covered with something looks dirty, too";
   const auto related = by_other(test, variable);
   if (!related) return std::nullopt;
   const bool near = related->relation == Predicate::NextTo || related->relation == Predicate::Nearest;
@@ -109,6 +115,11 @@ std::optional<GroundingFailure> check_references(const Specification& specificat
   for (const auto& [domain, meant, others] : referred_things(specification.goal, trace)) {
     const Formula& where = domain.domain.where.front();
     const auto tests = where.op == Op::And ? where.children : std::vector<Formula>{where};
+    const bool by_power = std::any_of(tests.begin(), tests.end(), [](const Formula& test) {
+      return test.op == Op::Atom && (test.predicate == Predicate::PowerOn || test.predicate == Predicate::PowerOff);
+    });
+    if (by_power && tests.size() > 1)
+      return GroundingFailure{RejectionReason::OddReference, to_text(where) + ": it says that it is on, and where", {}};
     for (const Formula& test : tests) {
       if (const auto odd = odd_test(test, domain.variable, domain.op == Op::Exists, meant, others, trace))
         return GroundingFailure{RejectionReason::OddReference, to_text(test) + ": " + *odd, {}};

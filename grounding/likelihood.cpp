@@ -39,8 +39,9 @@ std::string rare_state(const Workspace& workspace, const Node& node, const Node*
     const std::string name(info(likely.state.predicate).name);
     const bool has = node.states.has(likely.state);
     if (has && likely.share < kHardlyAny) return name;
-    const bool lacks = !has && (before == nullptr ? can_be(node, workspace.knowledge(), likely.state)
-                                                  : before->states.has(likely.state));
+    const bool as_before = before != nullptr && before->pose.position == node.pose.position;
+    const bool lacks =
+        !has && (as_before ? before->states.has(likely.state) : can_be(node, workspace.knowledge(), likely.state));
     if (lacks && likely.share > 1 - kHardlyAny) return "not " + name;
   }
   return "";

@@ -53,6 +53,25 @@ std::optional<std::size_t> SceneEditor::index_of(const std::string& id) const { 
 
 Rng SceneEditor::next_rng() { return rng_.fork("edit", edit_number_++); }
 
+void SceneEditor::temper(Node& node, Predicate relation, const Node& receptacle) const {
+  if (workspace_.household() == nullptr) return;
+  const auto likely = workspace_.household()->states_of(node.category, relation, receptacle.category);
+  for (const StateGroup& group : state_groups()) {
+    for (const Predicate cold : {Predicate::Cool, Predicate::Frozen}) {
+      if (std::find(group.predicates.begin(), group.predicates.end(), cold) == group.predicates.end()) continue;
+      const bool always = std::any_of(likely.begin(), likely.end(), [&](const LikelyState& one) {
+        return one.state.predicate == cold && one.share >= 1 &&
+               (node.states.has(one.state) || can_be(node, workspace_.knowledge(), one.state));
+      });
+      if (always) {
+        node.states.set({cold, {}});
+      } else if (node.states.has(cold)) {
+        node.states.set({group.predicates.front(), {}});
+      }
+    }
+  }
+}
+
 bool SceneEditor::settle_somewhere(Node node, const std::function<bool(const Node&)>& accept) {
   const Scene& scene = workspace_.scene();
   const auto known = avoid_.find(node.category);
@@ -97,6 +116,7 @@ bool SceneEditor::settle_somewhere(Node node, const std::function<bool(const Nod
         continue;
       }
       node.pose = *place.pose;
+      temper(node, host.relation, scene.nodes[host.node]);
       touched_.insert(node.id);
       if (index < scene.nodes.size()) {
         workspace_.replace(index, std::move(node));
@@ -227,18 +247,6 @@ bool SceneEditor::move_to(const std::string& id, const Pose& pose) {
   return true;
 }
 
-/// What is put into a fridge is cool, as all that was there.
-void SceneEditor::chill(const std::string& id, Predicate relation, const std::string& receptacle) {
-  if (workspace_.household() == nullptr) return;
-  Node node = workspace_.scene().nodes[*index_of(id)];
-  const std::string& there = workspace_.scene().nodes[*index_of(receptacle)].category;
-  for (const LikelyState& likely : workspace_.household()->states_of(node.category, relation, there)) {
-    const bool cold = likely.state.predicate == Predicate::Cool || likely.state.predicate == Predicate::Frozen;
-    if (cold && likely.share >= 1 && can_be(node, workspace_.knowledge(), likely.state)) node.states.set(likely.state);
-  }
-  replace(std::move(node));
-}
-
 bool SceneEditor::put(const std::string& id, Predicate relation, const std::string& receptacle) {
   const auto index = index_of(id);
   if (!index || !workspace_.scene().nodes[*index].movable) {
@@ -256,8 +264,11 @@ bool SceneEditor::put(const std::string& id, Predicate relation, const std::stri
     const auto place =
         find_place(workspace_, node, *index_of(id), relation, *index_of(receptacle), {.draws = draws_}, next_rng());
     if (place.pose) {
-      move_to(id, *place.pose);
-      chill(id, relation, receptacle);
+      Node there = node;
+      there.pose = *place.pose;
+      temper(there, relation, workspace_.scene().nodes[*index_of(receptacle)]);
+      touched_.insert(id);
+      replace(std::move(there));
       return true;
     }
     obstacle = place.obstacle;

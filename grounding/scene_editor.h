@@ -65,7 +65,8 @@ class SceneEditor {
   std::optional<std::size_t> index_of(const std::string& id) const;
   Rng next_rng();
   bool clear_off(const std::string& id);
-  void chill(const std::string& id, Predicate relation, const std::string& receptacle);
+  /// What comes into a fridge or a freezer is cold as all that is there; what comes out of one is not any more.
+  void temper(Node& node, Predicate relation, const Node& receptacle) const;
   bool move_to(const std::string& id, const Pose& pose);
   bool open_or_close(const std::string& id, double opening);
   bool give_box(const std::string& id, const Vec3& size, const std::string& asset);

@@ -91,8 +91,8 @@ bool has_likeness(const std::string& category, const Home& home, const Household
   });
 }
 
-/// Whether all that the goal says of a variable is that it is open, closed or switched off, or not covered, in the end:
-/// of several, nobody wants just one put right.
+/// Whether all that the goal says of a variable is that it is open, closed, empty or switched off, or not covered, in
+/// the end: of several, nobody wants just one put right.
 bool is_put_right(const Formula& goal, const std::string& variable) {
   std::vector<const Formula*> said;
   bool right = false;
@@ -104,7 +104,7 @@ bool is_put_right(const Formula& goal, const std::string& variable) {
       said.push_back(&formula);
       right = denied ? formula.predicate == Predicate::Covered
                      : formula.predicate == Predicate::Open || formula.predicate == Predicate::Closed ||
-                           formula.predicate == Predicate::PowerOff;
+                           formula.predicate == Predicate::PowerOff || formula.predicate == Predicate::Empty;
     }
     for (const Formula& child : formula.children) self(self, child, denied != (formula.op == Formula::Op::Not));
   };

@@ -26,9 +26,9 @@ bool all_sinks_suit(const Formula& goal, const Layout& layout, const Household& 
 /// Whether the goal leaves open what nobody is indifferent about: which of several rooms of a type or of several
 /// pieces of furniture in several rooms is meant, or which of several things that each belong to somebody
 /// (Household::is_personal); or names furniture by a word that other furniture of the home could be meant by, too: "the
-/// table" beside a coffee table, "the shelf" beside a shelving unit; or asks to open, close, switch off or wipe just
-/// one of several; or names what is carried by a word for other things of the home, too: "the bowl" beside a mixing
-/// bowl; or calls two things by names of which one could mean the other. `nouns`: what things are called.
+/// table" beside a coffee table, "the shelf" beside a shelving unit; or asks to open, close, empty, switch off or wipe
+/// just one of several; or names what is carried by a word for other things of the home, too: "the bowl" beside a
+/// mixing bowl; or calls two things by names of which one could mean the other. `nouns`: what things are called.
 bool leaves_open(const Formula& goal, const Layout& layout, const Household& household, const NounTable& nouns);
 
 /// Whether people have places of a category in a type of room and keep all things there that the goal puts into them.
