@@ -16,7 +16,7 @@ namespace unietp {
 namespace {
 
 constexpr int kTriesPerDecoy = 4;
-constexpr std::size_t kMostAdded = 12;  // to one start
+constexpr std::size_t kMostAdded = 15;  // to one start
 constexpr std::size_t kMostMoved = 12;
 
 /// All that a category is called or stands for in texts.
@@ -96,7 +96,7 @@ class Decoys {
 
   bool can_be_decoy(const Category& category) {
     const auto* household = workspace().household();
-    return category.movable && !sliced_.contains(category.name) && !spoken_.contains(category.name) &&
+    return category.movable && !spoken_.contains(category.name) &&
            (household == nullptr || !household->places_of(category.name).empty());
   }
 
@@ -112,9 +112,12 @@ class Decoys {
   std::vector<const Category*> like(const Category& asked) {
     const auto number = static_cast<int>(number_in_home(asked.name));
     const bool has_models = !knowledge().assets_of(asked.name).empty();
+    const bool is_sliced = sliced_.contains(asked.name);  // no home has those
     std::vector<std::pair<int, const Category*>> others;
     for (const Category& category : knowledge().categories()) {
-      if (!can_be_decoy(category) || knowledge().assets_of(category.name).empty() == has_models) continue;
+      if (!can_be_decoy(category) || sliced_.contains(category.name) != is_sliced ||
+          knowledge().assets_of(category.name).empty() == has_models)
+        continue;
       others.emplace_back(std::abs(static_cast<int>(number_in_home(category.name)) - number), &category);
     }
     rng_.shuffle(others);
