@@ -18,9 +18,9 @@
 #include "core/folder_lock.h"
 #include "core/text.h"
 #include "core/version.h"
-#include "evaluation/dataset_digest.h"
 #include "evaluation/evaluate.h"
 #include "evaluation/program_policy.h"
+#include "resources/frozen_benchmarks.h"
 #include "resources/resources.h"
 
 namespace unietp {
@@ -47,9 +47,10 @@ Result<EvaluationSetup> setup_of(const EvaluateChoice& choice, const EvaluateReq
   setup.knowledge_digest = *knowledge;
   const auto digest = dataset_digest(choice.folder);
   if (!digest) return digest.error();
-  const auto version = benchmark_version(program.folders.root / "data" / "benchmarks.csv", *digest);
-  if (!version) return version.error();
-  setup.dataset = {one_name_of(choice.folder).filename().string(), *version, *digest, static_cast<int>(tasks.size())};
+  const auto frozen = FrozenBenchmarks::read(program.folders.benchmarks());
+  if (!frozen) return frozen.error();
+  setup.dataset = {one_name_of(choice.folder).filename().string(), frozen->name_of(*digest), *digest,
+                   static_cast<int>(tasks.size())};
   setup.agent =
       request.model ? EvaluatedAgent{"model", request.model->endpoint.model} : EvaluatedAgent{"policy", choice.policy};
   setup.selection = request.selection;

@@ -6,7 +6,6 @@
 #include "cli/served_tasks.h"
 #include "core/files.h"
 #include "core/in_quotes.h"
-#include "evaluation/dataset_digest.h"
 #include "evaluation/evaluate.h"
 #include "evaluation/evaluation_manifest.h"
 #include "scores/result_tables.h"
@@ -54,19 +53,20 @@ Exit validate_evaluation(const std::filesystem::path& folder, const std::filesys
   if (!digest) return refuse(digest.error());
   if (*digest != manifest->setup.dataset.digest)
     return refuse({Error::Kind::Usage, dataset.string(), {}, "is not the data set that this evaluation was made on"});
-  const auto version = benchmark_version(program.folders.root / "data" / "benchmarks.csv", *digest);
-  if (!version) return refuse(version.error());
+  const auto frozen = FrozenBenchmarks::read(program.folders.benchmarks());
+  if (!frozen) return refuse(frozen.error());
+  const std::string version = frozen->name_of(*digest);
   const auto reading = served_tasks({dataset, false, "", ""}, program);
   if (!reading.errors.empty()) return refuse(reading.errors);
   const auto judging = judging_data(*reading.tasks.stored, program);
   if (!judging) return refuse(judging.error());
   std::vector<Error> found = check_results(folder, {*judging, threads});
-  if (*version != manifest->setup.dataset.version)
+  if (version != manifest->setup.dataset.version)
     found.push_back(
         {Error::Kind::Schema,
          where + "#/setup/dataset/version",
          {},
-         "is " + in_quotes(manifest->setup.dataset.version) + ", but the data set is " + in_quotes(*version)});
+         "is " + in_quotes(manifest->setup.dataset.version) + ", but the data set is " + in_quotes(version)});
   const EvaluatedAgent& agent = manifest->setup.agent;
   const bool demonstrated = agent.kind == "policy" && (agent.name == "replay" || agent.name.starts_with("noisy:"));
   const auto plan = plan_episodes(*reading.tasks.stored, manifest->setup.selection, demonstrated);

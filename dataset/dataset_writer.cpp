@@ -87,6 +87,7 @@ Result<Done> DatasetWriter::finish(const RunConfiguration& configuration, const 
   if (!sources) return sources.error();
   Manifest manifest{std::string(program_version()),
                     resources.digest,
+                    {},
                     configuration,
                     std::move(counts_),
                     {},
@@ -96,6 +97,7 @@ Result<Done> DatasetWriter::finish(const RunConfiguration& configuration, const 
   auto files_written = files_below(folder_);
   if (!files_written) return files_written.error();
   manifest.files = std::move(*files_written);
+  manifest.benchmark = benchmark_of(manifest.files, resources.frozen);
   return write_file(folder_, "manifest.json", to_text(manifest));
 }
 

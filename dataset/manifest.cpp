@@ -93,6 +93,12 @@ Result<std::map<std::string, FileEntry>> files_below(const fs::path& folder) {
   return files;
 }
 
+std::string benchmark_of(const std::map<std::string, FileEntry>& files, const FrozenBenchmarks& frozen) {
+  std::map<std::string, std::string> digests;
+  for (const auto& [path, file] : files) digests[path] = file.sha256;
+  return frozen.name_of(dataset_digest(digests));
+}
+
 std::string to_text(const Manifest& manifest) {
   const DatasetCounts& counts = manifest.counts;
   int candidates = counts.tasks;
@@ -130,6 +136,7 @@ std::string to_text(const Manifest& manifest) {
               {"rejections", std::move(rejections)}}},
             {"files", std::move(files)},
             {"sources", std::move(licences)}};
+  if (!manifest.benchmark.empty()) json["benchmark"] = manifest.benchmark;
   if (manifest.writing) json["instructions"] = writing_json(*manifest.writing);
   return json.dump(2) + "\n";
 }

@@ -42,12 +42,16 @@ struct WritingEntry {
 struct Manifest {
   std::string version;           // of the program
   std::string knowledge_digest;  // of the tables, profiles, layouts and templates
+  std::string benchmark;         // the frozen benchmark that the tasks are; "": none
   RunConfiguration configuration;
   DatasetCounts counts;
   std::map<std::string, FileEntry> files;  // by path in the folder, but for the manifest
   std::vector<SourceLicence> sources;
   std::optional<WritingEntry> writing;  // nullopt: the run wrote the instructions
 };
+/// The frozen benchmark that a data set with these files is, or "".
+std::string benchmark_of(const std::map<std::string, FileEntry>& files, const FrozenBenchmarks& frozen);
+
 /// The text of manifest.json.
 std::string to_text(const Manifest& manifest);
 

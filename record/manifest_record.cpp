@@ -200,6 +200,7 @@ Result<ManifestRecord> read_manifest(std::string_view where, std::string_view te
   ManifestRecord manifest;
   read_format(reader, fields, "unietp-manifest/1");
   if (const auto f = fields.required("knowledge_digest")) manifest.knowledge_digest = reader.text(*f);
+  if (const auto f = fields.optional("benchmark")) manifest.benchmark = reader.text(*f);
   if (const auto f = fields.required("configuration")) read_run(reader, *f, manifest.run);
   manifest.phrasings = manifest.run.phrasings;
   manifest.english = manifest.run.english;

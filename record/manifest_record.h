@@ -71,6 +71,7 @@ struct RecordedFile {
 struct ManifestRecord {
   std::string program_name, program_version;
   std::string knowledge_digest;
+  std::string benchmark;  // the frozen benchmark that the tasks are; "": none
   RecordedRun run;
   std::string phrasings, english;  // of the present instructions
   int tasks = 0, candidates = 0;

@@ -20,6 +20,9 @@ struct DataFolders {
   std::filesystem::path layouts() const { return root / "data" / "layouts"; }          // recipes of homes
   std::filesystem::path scene_files() const { return root / "data" / "scene_files"; }  // interchange/format_facts.h
   std::filesystem::path english() const { return root / "data" / "english"; }          // report/word_figures.h
+  std::filesystem::path benchmarks() const {
+    return root / "data" / "benchmarks.csv";
+  }  // resources/frozen_benchmarks.h
   std::filesystem::path licences() const { return root / "data" / "licences.csv"; }
   std::filesystem::path library() const { return root / "templates" / "library"; }
   std::filesystem::path extended() const { return root / "templates" / "extended"; }  // need not exist

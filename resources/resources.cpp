@@ -199,6 +199,11 @@ ResourcesReading load_resources(const DataFolders& folders) {
   } else {
     resources.benchmark = std::move(*benchmark);
   }
+  if (auto frozen = FrozenBenchmarks::read(folders.benchmarks()); !frozen) {
+    reading.errors.push_back(frozen.error());
+  } else {
+    resources.frozen = std::move(*frozen);
+  }
   const auto digest = knowledge_digest(folders);
   if (!digest) {
     reading.errors.push_back(digest.error());

@@ -13,6 +13,7 @@
 #include "grounding/layout.h"
 #include "grounding/layout_library.h"
 #include "resources/data_folders.h"
+#include "resources/frozen_benchmarks.h"
 #include "sense/goal_sketch.h"
 #include "simulation/profile.h"
 #include "templates/template.h"
@@ -70,6 +71,7 @@ struct Resources {
   std::vector<BenchmarkLayout> benchmark;  // what the benchmark's homes are made from
   std::vector<Scene> homes;                // for a run to use (given_scenes.h); empty: it makes its own
   std::string digest;                      // knowledge_digest of the folders
+  FrozenBenchmarks frozen;                 // by which a data set knows that it is one of them
 
   /// Of one simulator.
   const Backend& backend(Simulator simulator) const { return backends[static_cast<std::size_t>(simulator)]; }

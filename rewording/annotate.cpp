@@ -246,7 +246,7 @@ bool is_new(const std::string& file) {
 }
 
 /// The manifest of the old folder with the files that changed.
-Result<Done> write_manifest(Manifest manifest, const fs::path& folder) {
+Result<Done> write_manifest(Manifest manifest, const FrozenBenchmarks& frozen, const fs::path& folder) {
   manifest.files.erase(kWordingsFile);
   for (const char* name : {kTasksFile, kDatabase, kWordingsFile}) {
     std::error_code code;
@@ -255,6 +255,7 @@ Result<Done> write_manifest(Manifest manifest, const fs::path& folder) {
     if (!digest) return digest.error();
     manifest.files[name] = {digest->bytes, std::move(digest->sha256)};
   }
+  manifest.benchmark = benchmark_of(manifest.files, frozen);
   return write_file(folder, kManifest, to_text(manifest));
 }
 
@@ -290,7 +291,7 @@ Result<AnnotateReport> annotate_dataset(const fs::path& folder, const fs::path& 
       return done.error();
   }
   manifest->writing = writing_of(report, options);
-  if (auto done = write_manifest(std::move(*manifest), copy->folder()); !done) return done.error();
+  if (auto done = write_manifest(std::move(*manifest), resources.frozen, copy->folder()); !done) return done.error();
   if (auto done = copy->finish(); !done) return done.error();
   report.written = true;
   return report;

@@ -13,6 +13,7 @@ Result<DerivedFiles> expected_files(const ManifestRecord& manifest, const Resour
   if (!sources) return sources.error();
   DerivedFiles files;
   for (const auto& source : *sources) files.sources.push_back({source.source, source.origin, source.licence});
+  files.benchmark = benchmark_of(written->files, resources.frozen);
   written->sources = std::move(*sources);
   files.card = dataset_card(*written);
   return files;

@@ -102,6 +102,7 @@ Result<Manifest> written_again(std::string_view where, const ManifestRecord& man
   Manifest again;
   again.version = manifest.program_version;
   again.knowledge_digest = manifest.knowledge_digest;
+  again.benchmark = manifest.benchmark;
   again.configuration = *configuration;
   again.counts.tasks = manifest.tasks;
   again.counts.by_split = manifest.by_split;

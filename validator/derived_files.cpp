@@ -70,6 +70,14 @@ std::vector<Problem> compare_sources(const std::vector<RecordedSource>& there,
   return problems;
 }
 
+/// A set that was made before its tasks were frozen has no name, which is no fault.
+std::vector<Problem> compare_benchmarks(const std::string& there, const std::string& wanted) {
+  if (there.empty() || there == wanted) return {};
+  const std::string is = wanted.empty() ? "no frozen benchmark" : "\"" + wanted + "\"";
+  return {problem_in(ProblemKind::Benchmark, kManifest,
+                     "names the benchmark \"" + there + "\", but by the digest of its tasks and homes it is " + is)};
+}
+
 }  // namespace
 
 std::string facts_of_line(std::string_view line) {
@@ -99,6 +107,7 @@ std::vector<Problem> check_derived_files(const std::filesystem::path& folder, co
   const auto wanted = derive(manifest);
   if (!wanted) return {{ProblemKind::Manifest, "", wanted.error()}};
   auto problems = compare_sources(manifest.sources, wanted->sources);
+  append(problems, compare_benchmarks(manifest.benchmark, wanted->benchmark));
   std::error_code code;
   if (!std::filesystem::exists(folder / kCardFile, code)) return problems;  // the file check reports it
   const auto card = read_file(folder, kCardFile);

@@ -11,7 +11,8 @@
 
 namespace unietp {
 
-/// Compares README.md and the manifest's sources with what `derive` makes of the manifest; nothing without it.
+/// Compares README.md, the manifest's sources and the name of its benchmark with what `derive` makes of the manifest;
+/// nothing without it.
 std::vector<Problem> check_derived_files(const std::filesystem::path& folder, const ManifestRecord& manifest,
                                          const DeriveFiles& derive);
 

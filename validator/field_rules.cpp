@@ -173,6 +173,8 @@ constexpr std::array kFieldRules{
     FieldInfo{"manifest", "format", Rule::Fixed, kFormat},
     FieldInfo{"manifest", "program.name", Rule::Fixed, "unietp"},
     FieldInfo{"manifest", "program.version", Rule::Compared, "that of the card"},
+    FieldInfo{"manifest", "benchmark", Rule::Recomputed,
+              "from the digests of tasks and homes, and data/benchmarks.csv"},
     FieldInfo{"manifest", "knowledge_digest", Rule::Recomputed, "from the tables, profiles, recipes and templates"},
     FieldInfo{"manifest", "seed", Rule::Recomputed, "that of the configuration"},
     FieldInfo{"manifest", "configuration", Rule::Setting, "see run"},

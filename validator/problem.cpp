@@ -23,6 +23,7 @@ constexpr std::array kProblems{
     ProblemInfo{Kind::Database, "database", "dataset.sqlite disagrees with the other files"},
     ProblemInfo{Kind::Card, "card", "a line of README.md differs from the one that the manifest gives"},
     ProblemInfo{Kind::Sources, "sources", "the sources in the manifest differ from those of the knowledge tables"},
+    ProblemInfo{Kind::Benchmark, "benchmark", "the manifest names a frozen benchmark with other tasks or homes"},
     ProblemInfo{Kind::Reviews, "reviews", "a line of reviews.jsonl disagrees with the tasks and rejections"},
     ProblemInfo{Kind::HomeFile, "home", "a home is of no task, or differs from the one that the configuration gives"},
     ProblemInfo{Kind::RepeatedTask, "repeated-task", "two tasks have the same id"},

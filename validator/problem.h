@@ -26,6 +26,7 @@ enum class ProblemKind : std::uint8_t {
   Database,
   Card,
   Sources,
+  Benchmark,
   Reviews,
   HomeFile,
   // of tasks among themselves, and against another folder

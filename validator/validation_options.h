@@ -30,6 +30,7 @@ struct ValidationBackend {
 struct DerivedFiles {
   std::string card;                     // the text of README.md
   std::vector<RecordedSource> sources;  // of the facts
+  std::string benchmark;                // the frozen benchmark with the listed tasks and homes, or ""
 };
 using DeriveFiles = std::function<Result<DerivedFiles>(const ManifestRecord&)>;
 

@@ -52,7 +52,7 @@ def served(model: Any, tokenizer: Any, name: str, at_once: int) -> Iterator[str]
             batch = [asked.get()]
             while len(batch) < at_once:
                 try:
-                    batch.append(asked.get(timeout=0.02))
+                    batch.append(asked.get(timeout=0.2))
                 except queue.Empty:
                     break
             try:

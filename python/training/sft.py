@@ -5,13 +5,14 @@
     build/python-trl/bin/python python/training/sft.py --out out/sft-3 --without-simulator ai2thor
     build/python-trl/bin/python python/training/sft.py --out out/sft-t --hold-out-templates
 
-Training tasks come from `unietp training`, chats from `unietp export --format sft` (M1, one step each), the tasks that it is
-measured on from `unietp benchmark`, whose homes no training task has. On a CPU it trains a LoRA, on a GPU all weights.
-Writes into --out: training/, benchmark/, chats/, loss.csv, model/, and with --evaluate also before/ and after/, two
-evaluations that `unietp compare` puts side by side. report.json has what was measured.
+Training tasks come from `unietp training`, chats from `unietp export --format sft` (M1, whole demonstrations), the tasks that
+it is measured on from `unietp benchmark`, whose homes no training task has. On a CPU it trains a LoRA, on a GPU all weights.
+Writes into --out: training/, benchmark/, chats/ (or reads them with --data), loss.csv, model/, and with --evaluate also
+before/ and after/, two evaluations that `unietp compare` puts side by side. report.json has what was measured.
 """
 
 import argparse
+import copy
 import csv
 import importlib.util
 import json
@@ -31,25 +32,34 @@ import trl
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 ANSWER_TOKENS = 48  # most of an answer, which is one action
+TOLD_STEPS = 12  # of an episode, when a model is evaluated: more would not fit into what it can read at once
+AT_ONCE = 140 if torch.cuda.is_available() else 1  # episodes that are played together
+CHATS_AT_ONCE = 4  # whose gradients a GPU computes together
 
 
 def options() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--out", type=pathlib.Path, required=True, help="new folder")
+    parser.add_argument("--data", type=pathlib.Path, help="folder with training/, benchmark/ and chats/, as in --out of another run")
     parser.add_argument("--tasks", type=int, default=300, help="training tasks (default: 300)")
+    parser.add_argument("--unit", choices=["episode", "step"], default="episode", help="what a chat is (default: episode)")
     parser.add_argument("--without-simulator", metavar="NAME", help="leave a simulator out of training")
     parser.add_argument("--hold-out-templates", action="store_true", help="leave a fixed third of the templates out of training")
-    parser.add_argument("--steps", type=int, default=100, help="steps of the optimizer (default: 100)")
-    parser.add_argument("--batch", type=int, help="chats in a step (default: 1 on a CPU, 8 on a GPU)")
-    parser.add_argument("--rate", type=float, default=3e-4, help="highest learning rate (default: 3e-4)")
+    parser.add_argument("--steps", type=int, default=100, help="steps of the optimizer; chats are used again if there are too few (default: 100)")
+    parser.add_argument("--batch", type=int, help="chats in a step (default: 1 on a CPU, 16 on a GPU)")
+    parser.add_argument("--rate", type=float, default=5e-4, help="highest learning rate (default: 5e-4)")
     parser.add_argument("--layers", type=int, default=10, help="of 30, from the last, that a LoRA adapts (default: 10)")
-    parser.add_argument("--longest", type=int, default=2048, help="leave out chats of more tokens (default: 2048)")
+    parser.add_argument("--longest", type=int, default=6144, help="leave out chats of more tokens (default: 6144)")
     parser.add_argument("--held-out", type=int, default=20, help="held-out chats whose loss and answers are measured (default: 20)")
-    parser.add_argument("--evaluate", type=int, default=0, metavar="N", help="also evaluate on N tasks of the benchmark, before and after")
+    parser.add_argument("--evaluate", type=int, default=0, metavar="N", help="also evaluate on N tasks of the benchmark, spread evenly, before and after")
+    parser.add_argument("--only-after", action="store_true", help="evaluate after training only")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--threads", type=int, default=os.cpu_count(), help="of the CPU")
     parser.add_argument("--program", default=str(ROOT / "build/release/bin/unietp"), help="unietp")
-    return parser.parse_args()
+    chosen = parser.parse_args()
+    chosen.batch = chosen.batch or (16 if torch.cuda.is_available() else 1)
+    chosen.data = chosen.data or chosen.out
+    return chosen
 
 
 def unietp(chosen: argparse.Namespace, *arguments: Any) -> None:
@@ -63,7 +73,7 @@ def make_data(chosen: argparse.Namespace) -> None:
     unietp(chosen, "training", "--count", chosen.tasks, "--seed", chosen.seed, *exclusions, *threads, "--out", out / "training")
     unietp(chosen, "benchmark", *threads, "--out", out / "benchmark")
     for name in ("training", "benchmark"):
-        unietp(chosen, "export", out / name, "--format", "sft", "--modes", "M1", "--unit", "step", *threads, "--out", out / "chats" / name)
+        unietp(chosen, "export", out / name, "--format", "sft", "--modes", "M1", "--unit", chosen.unit, *threads, "--out", out / "chats" / name)
 
 
 def load_model() -> tuple[Any, Any]:
@@ -74,13 +84,20 @@ def load_model() -> tuple[Any, Any]:
     file = pathlib.Path(package.origin).with_name("SmolLM2-135M-Instruct.Q4_1.gguf")
     tokenizer = transformers.AutoTokenizer.from_pretrained(str(file.parent), gguf_file=file.name)
     tokenizer.chat_template = chat_masks.TEMPLATE
-    on_gpu = torch.cuda.is_available()
+    tokenizer.eos_token, tokenizer.pad_token = chat_masks.END, "<|endoftext|>"  # whatever the file says
     model = transformers.AutoModelForCausalLM.from_pretrained(
-        str(file.parent), gguf_file=file.name, dtype=torch.bfloat16 if on_gpu else torch.float32,
+        str(file.parent), gguf_file=file.name, dtype=torch.float32,
         quantization_config=transformers.GgufConfig(dequantize=True),
     )
+    model.generation_config.eos_token_id = tokenizer.eos_token_id
     model.generation_config.pad_token_id = tokenizer.pad_token_id
-    return model.to("cuda" if on_gpu else "cpu"), tokenizer
+    return model.to("cuda" if torch.cuda.is_available() else "cpu"), tokenizer
+
+
+def reader(model: Any) -> Any:
+    """A copy for answering; on a GPU in bfloat16, which training would lose small changes in."""
+    made = copy.deepcopy(model).eval()
+    return made.bfloat16() if torch.cuda.is_available() else made
 
 
 def load_chats(folder: pathlib.Path, tokenizer: Any, longest: int, count: int, seed: int) -> datasets.Dataset:
@@ -109,26 +126,45 @@ def is_answer(text: str, names: set[str]) -> bool:
 
 
 def measure(model: Any, tokenizer: Any, chats: datasets.Dataset, names: set[str]) -> dict[str, Any]:
-    """Of held-out chats: the mean loss of the answers' tokens, how many answers have the form, how many are the expert's."""
-    model.eval()
-    loss, formed, equal = 0.0, 0, 0
-    for chat in chats:
+    """Of one answer of each held-out chat: the mean loss of its tokens, how many have the form, how many are the expert's.
+
+    The first chat is cut at its first answer, the second at its second, and so on, around the end of a chat.
+    """
+    cut = []
+    for number, chat in enumerate(chats):
         messages = chat["messages"]
+        said = [place for place, message in enumerate(messages) if message["role"] == "assistant"]
+        cut.append(messages[:said[number % len(said)] + 1])
+    loss = 0.0
+    for messages in cut:
         told = tokenizer.apply_chat_template(messages[:-1], add_generation_prompt=True)["input_ids"]
-        said = tokenizer.encode(messages[-1]["content"] + chat_masks.END, add_special_tokens=False)
-        ids = torch.tensor([told + said], device=model.device)
+        answer = tokenizer.encode(messages[-1]["content"] + chat_masks.END, add_special_tokens=False)
+        ids = torch.tensor([told + answer], device=model.device)
         with torch.no_grad():
-            logits = model(ids, logits_to_keep=len(said) + 1).logits[0, :-1]
+            logits = model(ids, logits_to_keep=len(answer) + 1).logits[0, :-1]
         loss += torch.nn.functional.cross_entropy(logits.float(), ids[0, len(told):]).item()
-        text = chat_server.answers(model, tokenizer, [chat_server.Request(messages[:-1], ANSWER_TOKENS)])[0].text
-        formed += is_answer(text, names)
-        equal += text == messages[-1]["content"]
-    return {"chats": len(chats), "loss": loss / len(chats), "correct_form": formed, "as_the_expert": equal}
+    asked = [chat_server.Request(messages[:-1], ANSWER_TOKENS) for messages in cut]
+    texts = [one.text for i in range(0, len(asked), AT_ONCE) for one in chat_server.answers(model, tokenizer, asked[i:i + AT_ONCE])]
+    formed = sum(is_answer(text, names) for text in texts)
+    equal = sum(text == messages[-1]["content"] for text, messages in zip(texts, cut, strict=True))
+    return {"chats": len(cut), "loss": loss / len(cut), "correct_form": formed, "as_the_expert": equal}
+
+
+def without_mask(collate: Any) -> Any:
+    """Batches without a mask of attention: padding is at the right, where no token looks, and kernels without a mask are faster."""
+
+    def made(rows: list[Any]) -> Any:
+        batch = collate(rows)
+        mask = batch.pop("attention_mask")
+        batch["position_ids"] = torch.arange(mask.shape[1]).expand_as(mask).contiguous()
+        return batch
+
+    return made
 
 
 def train(chosen: argparse.Namespace, model: Any, tokenizer: Any, chats: datasets.Dataset) -> Any:
     on_gpu = torch.cuda.is_available()
-    batch = chosen.batch or (8 if on_gpu else 1)
+    at_once = min(chosen.batch, CHATS_AT_ONCE if on_gpu else 1)
     lora = peft.LoraConfig(
         r=16, lora_alpha=32, lora_dropout=0.0, task_type="CAUSAL_LM",
         layers_to_transform=list(range(model.config.num_hidden_layers - chosen.layers, model.config.num_hidden_layers)),
@@ -140,10 +176,11 @@ def train(chosen: argparse.Namespace, model: Any, tokenizer: Any, chats: dataset
         train_dataset=chats,
         peft_config=None if on_gpu else lora,
         args=trl.SFTConfig(
-            output_dir=str(chosen.out / "trainer"), max_steps=chosen.steps, per_device_train_batch_size=batch,
-            learning_rate=chosen.rate / 10 if on_gpu else chosen.rate, lr_scheduler_type="cosine", warmup_steps=5,
+            output_dir=str(chosen.out / "trainer"), max_steps=chosen.steps, per_device_train_batch_size=at_once,
+            gradient_accumulation_steps=chosen.batch // at_once, train_sampling_strategy="group_by_length",
+            learning_rate=chosen.rate, lr_scheduler_type="cosine", warmup_steps=max(5, chosen.steps // 20), adam_beta2=0.98,
             max_length=None, assistant_only_loss=True, logging_steps=1, save_strategy="no", report_to="none",
-            seed=chosen.seed, use_cpu=not on_gpu, bf16=on_gpu, gradient_checkpointing=False, disable_tqdm=True,
+            seed=chosen.seed, use_cpu=not on_gpu, dataset_num_proc=chosen.threads if len(chats) > 1000 else None, bf16=on_gpu, gradient_checkpointing=False, disable_tqdm=True,
         ),
     )
     order = list(range(min(50, len(chats))))
@@ -151,6 +188,7 @@ def train(chosen: argparse.Namespace, model: Any, tokenizer: Any, chats: dataset
         tokenizer, [chats[i]["messages"] for i in order], trainer.data_collator, [trainer.train_dataset[i] for i in order]
     )
     print(f"masks: in {len(order)} chats only what the assistant said is trained on, {tokens} tokens", flush=True)
+    trainer.data_collator = without_mask(trainer.data_collator)
     trainer.train()
     losses = [(row["step"], row["loss"]) for row in trainer.state.log_history if "loss" in row]
     with (chosen.out / "loss.csv").open("w", newline="") as file:
@@ -162,13 +200,14 @@ def train(chosen: argparse.Namespace, model: Any, tokenizer: Any, chats: dataset
 
 
 def evaluate(chosen: argparse.Namespace, model: Any, tokenizer: Any, name: str) -> None:
-    """An evaluation on the first tasks of the benchmark in M1, in chosen.out / name."""
-    model.eval()
-    at_once = 16 if torch.cuda.is_available() else 1
-    with chat_server.served(model, tokenizer, f"SmolLM2-135M-Instruct {name}", at_once) as url:
+    """An evaluation on tasks of the benchmark in M1, in chosen.out / name."""
+    lines = (chosen.data / "benchmark/tasks.jsonl").read_text().splitlines()
+    tasks = [json.loads(lines[i * len(lines) // chosen.evaluate])["id"] for i in range(chosen.evaluate)]
+    told = ["--chat", "multi", "--history", TOLD_STEPS] if chosen.unit == "episode" else []
+    with chat_server.served(model, tokenizer, f"SmolLM2-135M-Instruct {name}", AT_ONCE) as url:
         unietp(
-            chosen, "evaluate", chosen.out / "benchmark", "--out", chosen.out / name, "--model", f"SmolLM2-135M-Instruct {name}",
-            "--llm-url", url, "--images", "none", "--modes", "M1", "--limit", chosen.evaluate, "--at-once", at_once,
+            chosen, "evaluate", chosen.data / "benchmark", "--out", chosen.out / name, "--model", f"SmolLM2-135M-Instruct {name}",
+            "--llm-url", url, "--images", "none", "--modes", "M1", "--tasks", ",".join(tasks), *told, "--at-once", AT_ONCE,
             "--temperature", 0, "--max-tokens", ANSWER_TOKENS, "--llm-timeout", 900,
         )
 
@@ -178,22 +217,24 @@ def main() -> None:
     torch.set_num_threads(chosen.threads)
     transformers.set_seed(chosen.seed)
     chosen.out.mkdir(parents=True)
-    make_data(chosen)
+    if chosen.data == chosen.out:
+        make_data(chosen)
     model, tokenizer = load_model()
-    batch = chosen.batch or (8 if torch.cuda.is_available() else 1)
-    chats = load_chats(chosen.out / "chats/training", tokenizer, chosen.longest, chosen.steps * batch, chosen.seed)
-    held_out = load_chats(chosen.out / "chats/benchmark", tokenizer, chosen.longest, chosen.held_out, chosen.seed)
-    names = {json.loads(chat["messages"][-1]["content"])["action"] for chat in (*chats, *held_out)}
+    chats = load_chats(chosen.data / "chats/training", tokenizer, chosen.longest, chosen.steps * chosen.batch, chosen.seed)
+    held_out = load_chats(chosen.data / "chats/benchmark", tokenizer, chosen.longest, chosen.held_out, chosen.seed)
+    names = {json.loads(one["content"])["action"] for chat in (*chats, *held_out) for one in chat["messages"] if one["role"] == "assistant"}
+    untrained = reader(model)
     report: dict[str, Any] = {
         "model": "SmolLM2-135M-Instruct", "without_simulator": chosen.without_simulator, "held_out_templates": chosen.hold_out_templates,
-        "tasks": chosen.tasks, "chats": len(chats), "steps": chosen.steps, "batch": batch, "layers": chosen.layers,
-        "longest": chosen.longest, "threads": chosen.threads, "device": "cuda" if torch.cuda.is_available() else "cpu", "before": measure(model, tokenizer, held_out, names),
+        "unit": chosen.unit, "chats": len(chats), "steps": chosen.steps, "batch": chosen.batch, "layers": chosen.layers,
+        "longest": chosen.longest, "threads": chosen.threads, "device": "cuda" if torch.cuda.is_available() else "cpu",
+        "before": measure(untrained, tokenizer, held_out, names),
     }
     print("before:", report["before"], flush=True)
-    if chosen.evaluate:
-        evaluate(chosen, model, tokenizer, "before")
+    if chosen.evaluate and not chosen.only_after:
+        evaluate(chosen, untrained, tokenizer, "before")
     begin = time.monotonic()
-    model = train(chosen, model, tokenizer, chats)
+    model = reader(train(chosen, model, tokenizer, chats))
     report["training_s"] = round(time.monotonic() - begin, 1)
     report["after"] = measure(model, tokenizer, held_out, names)
     print("after:", report["after"], flush=True)

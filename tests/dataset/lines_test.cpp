@@ -98,6 +98,7 @@ TEST(Lines, AManifestFollowsItsSchema) {
   manifest.sources = {{"curated", "this project", "MIT"}};
   SchemaChecker checker;
   EXPECT_EQ(checker.check(Json::parse(to_text(manifest)), "manifest.schema.json"), "");
+  manifest.benchmark = "unietp-1.0";
   manifest.writing = WritingEntry{"llm", 7, "training", "gb", {{"llm:m", 2}}};
   EXPECT_EQ(checker.check(Json::parse(to_text(manifest)), "manifest.schema.json"), "");
 }

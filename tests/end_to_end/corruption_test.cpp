@@ -189,13 +189,14 @@ TEST(Corruption, WhatFollowsFromOtherFilesIsNamed) {
   copy.write(home, gzip(scene.dump()));
   auto manifest = Json::parse(copy.read("manifest.json"));
   manifest["sources"].erase(0);
+  manifest["benchmark"] = "unietp-1.0";
   manifest["files"].push_back({{"path", "reviews.jsonl"}, {"bytes", 0}, {"sha256", ""}});
   std::sort(manifest["files"].begin(), manifest["files"].end(),
             [](const Json& a, const Json& b) { return a["path"] < b["path"]; });
   copy.write("manifest.json", manifest.dump(2) + "\n");
   copy.vouch();
   const auto kinds = told(validate(copy.folder()));
-  for (const char* kind : {"card", "sources", "reviews", "home"})
+  for (const char* kind : {"card", "sources", "benchmark", "reviews", "home"})
     EXPECT_THAT(kinds, Contains(std::pair(std::string(kind), std::string()))) << kind;
 }
 
@@ -316,7 +317,7 @@ TEST(Corruption, EveryKindIsTested) {
                                "counts",        "quota",           "balance",       "rejections",    "database",
                                "repeated-task", "repeated-start",  "repeated-text", "shared-layout", "shared-seed",
                                "similar-home",  "similar-task",    "text-phrasing", "wordings",      "card",
-                               "sources",       "reviews",         "home"};
+                               "sources",       "benchmark",       "reviews",       "home"};
   for (const auto& corruption : kCorruptions) tested.insert(corruption.kind);
   const auto kinds = run_program({"validate", "--kinds"});
   ASSERT_EQ(kinds.code, 0);

@@ -60,6 +60,38 @@ TEST(FrozenBenchmark, IsNamedInEveryTableAndMixedWithNothingElse) {
   EXPECT_THAT(*read_file(fs::path(scratch.at("board")) / "leaderboard.html"), HasSubstr("unietp-9.9"));
 }
 
+TEST(FrozenBenchmark, StandsInTheManifestAndIsCheckedAgainstTheTasks) {
+  const ScratchFolder scratch;
+  const auto make = [&](const std::string& root, const std::string& out) {
+    return run_program({"--data", root, "generate", "--count", "4", "--seed", "3", "--modes", "M1", "--out", out});
+  };
+  const auto manifest_of = [](const std::string& folder) {
+    return Json::parse(*read_file(fs::path(folder) / "manifest.json"));
+  };
+  const std::string plain = scratch.at("plain"), named = scratch.at("named"), worded = scratch.at("worded");
+  ASSERT_EQ(make(UNIETP_SOURCE_DIR, plain).code, 0);
+  EXPECT_FALSE(manifest_of(plain).contains("benchmark"));
+  const std::string run = scratch.at("run");
+  ASSERT_EQ(run_program({"evaluate", plain, "--policy", "stop", "--out", run}).code, 0);
+  const std::string digest = manifest_of(run)["setup"]["dataset"]["digest"];
+  const std::string root = data_with(scratch, "name,digest\nunietp-9.9," + digest + "\n").string();
+
+  ASSERT_EQ(make(root, named).code, 0);
+  EXPECT_EQ(manifest_of(named)["benchmark"], "unietp-9.9");
+  EXPECT_EQ(*read_file(fs::path(named) / "tasks.jsonl"), *read_file(fs::path(plain) / "tasks.jsonl"));
+  EXPECT_EQ(run_program({"--data", root, "validate", named}).code, 0);
+  EXPECT_EQ(run_program({"--data", root, "validate", plain}).code, 0) << "made before it was frozen";
+  const Ended unknown = run_program({"validate", named});
+  EXPECT_EQ(unknown.code, 1);
+  EXPECT_THAT(unknown.out, HasSubstr("names the benchmark \"unietp-9.9\", but"));
+
+  const Ended ended =
+      run_program({"--data", root, "annotate", named, "--phrasings", "all", "--seed", "5", "--out", worded});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  EXPECT_NE(*read_file(fs::path(named) / "tasks.jsonl"), *read_file(fs::path(worded) / "tasks.jsonl"));
+  EXPECT_FALSE(manifest_of(worded).contains("benchmark")) << "other words are another benchmark";
+}
+
 TEST(FrozenBenchmark, ATableThatIsNoneIsRefused) {
   const ScratchFolder scratch;
   const std::string root = data_with(scratch, "name,digest\nunietp-9.9,abc\n").string();

@@ -77,6 +77,7 @@ TEST(WrittenAgain, AManifestStaysAsItWas) {
   Manifest manifest;
   manifest.version = "0.0.9";
   manifest.knowledge_digest = "digest";
+  manifest.benchmark = "unietp-1.0";
   manifest.configuration.seed = 7;
   manifest.configuration.splits = {Split::Atomic};
   manifest.configuration.extended = true;
