@@ -59,6 +59,30 @@ TEST(DataSet, TheFunnelCountsEveryCandidate) {
   EXPECT_EQ(counts["tasks"], kSmallCount);
 }
 
+TEST(Generate, ReportsTheSpreadOfItsTasksAsTheDataSetDoes) {
+  const ScratchFolder scratch;
+  const auto out = scratch.path() / "set";
+  const auto ended = run_program({"generate", "--count", "12", "--seed", "5", "--simulators", "ai2thor", "--rooms", "5",
+                                  "--objects", "40", "--json", "--out", out});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const auto report = Json::parse(ended.out);
+  EXPECT_EQ(report["balance"], Json::parse(*read_file(out / "manifest.json"))["counts"]["balance"]);
+  EXPECT_EQ(report["candidates"].get<std::size_t>(), 12 + json_lines(out / "rejections.jsonl").size());
+}
+
+/// A task that nobody can do in M3 is not made, and the last candidate's reason is told.
+TEST(Generate, TellsWhyASlotStaysEmpty) {
+  const ScratchFolder scratch;
+  const auto ended =
+      run_program({"generate", "--count", "1", "--simulators", "virtualhome", "--template", "read-one", "--extended",
+                   "--modes", "M1,M3", "--rooms", "5", "--objects", "40", "--json", "--out", scratch.at("set")});
+  EXPECT_EQ(ended.code, 1);
+  const auto report = Json::parse(ended.out);
+  ASSERT_EQ(report["unfilled"].size(), 1U);
+  EXPECT_EQ(report["unfilled"][0]["what"], "atomic task on virtualhome");
+  EXPECT_THAT(report["unfilled"][0]["last"].get<std::string>(), HasSubstr("not-in-m3"));
+}
+
 TEST(DataSet, OneThreadGivesTheSameBytes) {
   ScratchFolder folder;
   auto options = small_options(folder.at("one"));

@@ -313,6 +313,15 @@ TEST(ExportSft, EqualOptionsGiveEqualBytesOnAnyNumberOfThreads) {
   EXPECT_EQ(bytes_below(scratch.at("one")), bytes_below(scratch.at("two")));
 }
 
+TEST(ExportSft, TellsWhichModesItWroteAndWhichItLeftOut) {
+  const ScratchFolder scratch;
+  const auto ended =
+      run_program({"export", data_set_in_all_modes().string(), "--format", "sft", "--out", scratch.at("sft")});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr(" samples of M1, M2 in " + scratch.at("sft")));
+  EXPECT_THAT(ended.out, HasSubstr("\nM3 left out: it shows only pictures"));
+}
+
 TEST(ExportSft, WhatCannotBeShownIsRefused) {
   const ScratchFolder scratch;
   const auto blind = run_program(

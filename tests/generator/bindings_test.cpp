@@ -5,6 +5,7 @@
 #include <set>
 
 #include "generator/specification.h"
+#include "generator/weighted_binding.h"
 #include "small_home.h"
 
 namespace unietp {
@@ -104,6 +105,33 @@ TEST(SampleBinding, KeepsToWhatIsOffered) {
     }
   }
   EXPECT_FALSE(sample_binding(source, knowledge, {"Mug", "Fridge"}, Rng(1)));
+}
+
+/// A category with which the last placeholder cannot be filled is given up before those between are tried.
+TEST(SampleBinding, FindsSoonTheOnlyFirstCategoryWithWhichTheLastCanBeFilled) {
+  const auto reading = parse_template("three.template", R"((template three (name "put <A>, <B> and <C> on <D>")
+    (split compositional) (parameters (A - pickupable) (B - pickupable) (C - pickupable) (D - furniture receptacle))
+    (constraints (distinct A B C D) (fits-on A D) (fits-on B D) (fits-on C D))
+    (init (exists (?a - A) (and)) (exists (?b - B) (and)) (exists (?c - C) (and))
+      (forall (?a - A) (not (exists (?d - D) (on ?a ?d)))))
+    (goal (exists (?d - D) (exists (?a - A) (exists (?b - B) (exists (?c - C)
+      (at-end (and (on ?a ?d) (on ?b ?d) (on ?c ?d))))))))
+    (instruction "Put {A:indefinite}, {B:indefinite} and {C:indefinite} {D:on}.")))");
+  ASSERT_EQ(reading.templates.size(), 1U) << format(reading.errors.front());
+  const auto& source = reading.templates.front();
+  const auto knowledge = small_home(Simulator::Ai2thor);
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    int asked = 0;
+    BindingWishes wishes;
+    wishes.accepts = [&](const Binding& bound, const Parameter& parameter, const std::string&) {
+      ++asked;
+      return parameter.name != "D" || bound.front().second == "Pot";
+    };
+    const auto binding = sample_binding(source, knowledge, {}, wishes, Rng(seed));
+    ASSERT_TRUE(binding);
+    EXPECT_EQ(binding->front().second, "Pot");
+    EXPECT_LT(asked, 200) << "all that three movable things and a place can be are 2970";
+  }
 }
 
 TEST(SampleBinding, FillsARoomPlaceholderWithATypeOfRoom) {

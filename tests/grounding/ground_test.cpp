@@ -117,6 +117,15 @@ TEST_F(Ground, PutsThingsIntoDrawersThatRideAlongWhenOpened) {
   }
 }
 
+TEST_F(Ground, PutsThingsUnderFurniture) {
+  const auto spec = specification(
+      "(exists (?a - Boots) (exists (?t - DiningTable) (at-end (not (under ?a ?t)))))",
+      {"(count = 1 (?a - Boots) (exists (?t - DiningTable) (under ?a ?t)))", "(count = 1 (?a - Boots) (and))"});
+  const Episode episode = sound(spec);
+  EXPECT_TRUE(std::any_of(episode.start.edges.begin(), episode.start.edges.end(),
+                          [](const Edge& edge) { return edge.relation == Predicate::Under; }));
+}
+
 TEST_F(Ground, LeavesADistractorThatTheReferringConstraintExcludes) {
   auto spec = specification("(exists (?a - (Mug :where (dirty ?a))) (exists (?b - DiningTable) (at-end (on ?a ?b))))",
                             {"(exists (?b - DiningTable) (and))", "(count = 1 (?a - Mug) (dirty ?a))",

@@ -53,7 +53,10 @@ TEST_F(HomePlans, NewHomesHaveTheSizeThatIsAskedForAndDoNotDependOnTheirNumber) 
   EXPECT_GT(made->nodes.size(), 120U);
   const auto few = new_homes(inputs(), Simulator::Ai2thor, {1, 5, 5, 20})[0].make();
   ASSERT_TRUE(few);
-  EXPECT_LT(few->nodes.size(), made->nodes.size()) << "30 objects for each room unless their number is given";
+  EXPECT_LT(few->nodes.size(), made->nodes.size());
+  const auto as_usual = new_homes(inputs(), Simulator::Ai2thor, {1, 5, 5, 150})[0].make();
+  ASSERT_TRUE(as_usual);
+  EXPECT_EQ(*as_usual, *made) << "30 objects for each room unless their number is given";
   EXPECT_THAT(new_homes(inputs(), Simulator::Ai2thor, {1, 5, 0, 0})[0].id, HasSubstr("-training-5-0"));
 }
 

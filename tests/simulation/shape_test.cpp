@@ -93,6 +93,21 @@ TEST(MakeShape, AHollowHasAWallOnEachSide) {
   }
 }
 
+/// Every shelf that things fit on has a board at its bottom, one on top, and one between each two bays.
+TEST(MakeShape, AShelfHasABoardBelowAndAboveEachBay) {
+  for (const auto& [height, bays] : {std::pair(0.2, 1), {0.4, 1}, {0.84, 2}, {1.7, 4}}) {
+    SCOPED_TRACE(height);
+    const Shape shelf = make_shape(Archetype::Shelf, {0.8, 0.3, height}, false);
+    ASSERT_EQ(shelf.surfaces.size(), bays + 1U);
+    EXPECT_NEAR(shelf.surfaces.front().centre.z(), -height / 2 + 0.02, 1e-9);
+    EXPECT_NEAR(shelf.surfaces.back().centre.z(), height / 2, 1e-9);
+    for (std::size_t i = 1; i < shelf.surfaces.size(); ++i) {
+      const double rise = shelf.surfaces[i].centre.z() - shelf.surfaces[i - 1].centre.z();
+      EXPECT_NEAR(shelf.surfaces[i - 1].clearance, rise - 0.02, 1e-9) << "up to the board above";
+    }
+  }
+}
+
 TEST(MakeShape, ADoorSwingsOutInFrontAndAnOpenDrawerSlidesOut) {
   const Shape cabinet = make_shape(Archetype::Cabinet, {0.6, 0.5, 0.8}, true);
   EXPECT_NEAR(bounds_of(cabinet, {}, 1).low.y(), -0.25 - 0.6, 0.03);
