@@ -25,7 +25,7 @@ std::size_t problems_with(const std::string& card, const std::string& wanted) {
   EXPECT_TRUE(write_file(folder.at("README.md"), card));
   return check_derived_files(folder.path(), {},
                              [&](const ManifestRecord&) -> Result<DerivedFiles> {
-                               return DerivedFiles{wanted, {}};
+                               return DerivedFiles{wanted, {}, {}};
                              })
       .size();
 }
