@@ -1,6 +1,5 @@
 #pragma once
 
-#include <ranges>
 #include <string_view>
 #include <vector>
 
@@ -8,8 +7,18 @@
 
 namespace unietp {
 
-/// Neighbors in an EdgeSet; valid until the set changes.
-using EdgeRange = std::ranges::subrange<EdgeSet::const_iterator>;
+/// Neighbors in an EdgeSet; valid until the set changes. Not a std::ranges::subrange, which clang 14 cannot compile
+/// with the headers of g++ 12.
+class EdgeRange {
+ public:
+  /// The edges from `first` on, before `end`, in the order of the set.
+  EdgeRange(EdgeSet::const_iterator first, EdgeSet::const_iterator end) : first_(first), end_(end) {}
+  EdgeSet::const_iterator begin() const { return first_; }
+  EdgeSet::const_iterator end() const { return end_; }
+
+ private:
+  EdgeSet::const_iterator first_, end_;
+};
 
 /// The edges of one relation that start at a thing.
 EdgeRange edges_from(const EdgeSet& edges, Predicate relation, std::string_view from);

@@ -175,6 +175,25 @@ TEST(Corruption, WhatConcernsTheFolderIsNamed) {
   EXPECT_THAT(kinds, Contains(std::pair(std::string("database"), third)));
 }
 
+TEST(Corruption, RowsOfTheDatabaseAboutNoTaskAreNamedWithTheirTable) {
+  for (const std::string table : {"binding", "step", "trait"}) {
+    DamagedCopy copy;
+    {
+      SqliteFile database(copy.folder() / "dataset.sqlite", SqliteFile::Mode::Create);
+      const std::string planted = "PRAGMA foreign_keys = OFF; CREATE TEMP TABLE row AS SELECT * FROM " + table +
+                                  " LIMIT 1; UPDATE row SET task = 'nobody-00001'; INSERT INTO " + table +
+                                  " SELECT * FROM row";
+      database.run(planted.c_str());
+    }
+    copy.vouch();
+    const auto verdict = validate(copy.folder());
+    EXPECT_EQ(verdict.code, 1);
+    EXPECT_THAT(verdict.problems,
+                Contains(::testing::Field(&Verdict::Problem::message,
+                                          ::testing::HasSubstr("has rows of unknown tasks in the table " + table))));
+  }
+}
+
 /// What is written from other files is made again and compared.
 TEST(Corruption, WhatFollowsFromOtherFilesIsNamed) {
   DamagedCopy copy;

@@ -388,6 +388,24 @@ TEST(Evaluate, ProgramsActAndTheirEndIsNoFailureOfTheTask) {
   EXPECT_FALSE(fs::exists(scratch.at("none")));
 }
 
+TEST(Evaluate, ProgramsGetPicturesUnlessNoneAreAskedFor) {
+  const ScratchFolder scratch;
+  ASSERT_TRUE(write_file(scratch.path() / "agent.py",
+                         "class Agent:\n"
+                         "    def act(self, observation):\n"
+                         "        open('seen', 'a').write('picture ' if 'picture' in observation else 'words ')\n"
+                         "        return 'stop'\n"));
+  for (const std::string images : {"current", "none"}) {
+    RunningProgram program("/bin/sh",
+                           {"-c", "exec unietp \"$@\"", "unietp", "evaluate", set(), "--policy", "python:agent.Agent",
+                            "--modes", "M3", "--limit", "1", "--images", images, "--out", scratch.at(images)},
+                           scratch.path());
+    const Ended ended = program.wait();
+    EXPECT_EQ(ended.code, 0) << ended.err;
+  }
+  EXPECT_EQ(*read_file(scratch.path() / "seen"), "picture words ");
+}
+
 TEST(Evaluate, AnInterruptEndsItWithinTwoSeconds) {
   const ScratchFolder scratch;
   ChatServer server([](const Received&) { return ChatServer::kSilence; });
