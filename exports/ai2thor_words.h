@@ -34,6 +34,15 @@ struct ThorCall {
   ThorTarget target = ThorTarget::Nothing;
   ThorWhen when = ThorWhen::Always;
 };
+/// An action with a tool.
+struct ThorActionRow {
+  ActionType action;
+  std::string_view tool;  // a category; "" for every one, where no row above names it
+  std::span<const ThorCall> calls;
+};
+/// All rows.
+std::span<const ThorState> thor_states();
+std::span<const ThorActionRow> thor_actions();
 /// The calls of an action; nothing when AI2-THOR does not have it with this tool (a category).
 std::optional<std::span<const ThorCall>> thor_calls(ActionType action, std::string_view tool);
 
