@@ -45,8 +45,9 @@ const Category* whole_of(const std::string& piece, const Knowledge& knowledge) {
 
 /// What AI2-THOR loads. It has no models of pieces: the whole stands where a piece lies, unless that is inside a
 /// smaller thing.
-Result<ThorHouse> write_house(const Scene& start, const Knowledge& knowledge, const FormatFacts& facts) {
-  if (is_floor_plan(start)) return ThorHouse{write_floor_plan(start), {}};
+Result<ThorHouse> write_house(const FinishedTask& task, const Knowledge& knowledge, const FormatFacts& facts) {
+  if (is_floor_plan(task)) return ThorHouse{write_floor_plan(task), {}};
+  const Scene& start = task.start;
   Scene scene = start;
   std::map<std::string, std::string> pieces;  // category by id
   for (const Node& node : start.nodes) {
@@ -155,7 +156,7 @@ Result<Json> task_json(const FinishedTask& task, ThorHouse& made, const Knowledg
   used.insert(goal->objects.begin(), goal->objects.end());
   auto start = thor_start(theirs.start, names, used, house.left_out);
   if (!start) return start.error();
-  if (is_floor_plan(task.start)) start->insert(start->begin(), Json{{"call", floor_plan_poses(task.start)}});
+  if (is_floor_plan(task)) start->insert(start->begin(), Json{{"call", floor_plan_poses(task.start)}});
   for (const auto& [id, whole] : made.wholes) {
     const Json cut{{"action", "SliceObject"}, {"objectId", whole}, {"forceAction", true}};
     const Json one{{"unless", *thor_test({Predicate::Sliced, ""}, whole)}, {"call", cut}};
@@ -201,7 +202,7 @@ Result<ExpressTask> express_ai2thor(const ExportRequest& request) {
   return ExpressTask([facts = std::move(facts), &request](const FinishedTask& task) -> Result<ExpressedTask> {
     if (task.start.simulator != Simulator::Ai2thor) return ExpressedTask{{}, "not a task of AI2-THOR"};
     const Knowledge& knowledge = *backend_of(request.backends, task.start).knowledge;
-    auto house = write_house(task.start, knowledge, facts);
+    auto house = write_house(task, knowledge, facts);
     if (!house) return house.error();
     const auto json = task_json(task, *house, knowledge);
     if (!json) return ExpressedTask{{}, json.error().message};

@@ -17,17 +17,20 @@ bool is_of_floor_plan(const Node& node) { return own_id_of(node, Simulator::Ai2t
 
 }  // namespace
 
-bool is_floor_plan(const Scene& start) {
-  return start.id.starts_with("FloorPlan") && std::any_of(start.nodes.begin(), start.nodes.end(), is_of_floor_plan);
+bool is_floor_plan(const FinishedTask& task) {
+  const auto& nodes = task.start.nodes;
+  return task.record.layout.starts_with("FloorPlan") && std::any_of(nodes.begin(), nodes.end(), is_of_floor_plan);
 }
 
-ExportedScene write_floor_plan(const Scene& start) {
+ExportedScene write_floor_plan(const FinishedTask& task) {
+  const Scene& start = task.start;
+  const std::string& name = task.record.layout;
   ExportedScene written;
   for (const Node& node : start.nodes) {
     if (const auto id = own_id_of(node, Simulator::Ai2thor)) {
       written.names[node.id] = *id;
     } else {
-      written.left_out.push_back(node.id + ": " + start.id + " has no such object");
+      written.left_out.push_back(node.id + ": " + name + " has no such object");
     }
   }
   Json rooms = Json::array();
@@ -36,7 +39,7 @@ ExportedScene write_floor_plan(const Scene& start) {
     for (const Vec2& corner : start.rooms[i].polygon) floor.push_back(house_point(corner));
     rooms.push_back({{"id", procthor_room_id(i)}, {"floorPolygon", std::move(floor)}});
   }
-  const Json plan{{"scene", start.id}, {"rooms", std::move(rooms)}, {"metadata", house_metadata(start)}};
+  const Json plan{{"scene", name}, {"rooms", std::move(rooms)}, {"metadata", house_metadata(start)}};
   written.text = plan.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
   return written;
 }

@@ -69,20 +69,27 @@ class ThorPlanner {
       return thor_lacks("AI2-THOR has no " + step.command.action +
                         (tool == nullptr ? std::string() : " of or with " + tool->category));
     }
+    const std::string held = scene_.agent.held.empty() ? std::string() : scene_.agent.held.front();
     for (const ThorCall& row : *rows) {
-      if (auto added = add(row, calls); !added) return added.error();
+      if (row.target != ThorTarget::Others) {
+        if (auto added = add(row, held, calls); !added) return added.error();
+        continue;
+      }
+      for (const Node& node : step.changes.nodes) {
+        if (node.id == argument_ || node.id == held || !names_.contains(node.id)) continue;
+        if (auto added = add(row, node.id, calls); !added) return added.error();
+      }
     }
     return Done{};
   }
 
-  Result<Done> add(const ThorCall& row, Json& calls) {
+  /// `thing`: of what is not the argument.
+  Result<Done> add(const ThorCall& row, const std::string& thing, Json& calls) {
     Json call = fixed_part(row.action);
     if (row.target == ThorTarget::Pose) {
       add_pose(call);
     } else if (row.target != ThorTarget::Nothing) {
-      const std::string object = row.target == ThorTarget::Argument ? argument_
-                                 : scene_.agent.held.empty()        ? std::string()
-                                                                    : scene_.agent.held.front();
+      const std::string object = row.target == ThorTarget::Argument ? argument_ : thing;
       if (!needed(row.when, object)) return Done{};
       const auto name = names_.find(object);
       if (name == names_.end()) return thor_lacks(object + " is not in the house");
@@ -156,7 +163,7 @@ Result<Json> thor_plan(const DemonstrationRecord& demonstration, Scene start, Th
 }
 
 Json thor_words() {
-  static constexpr std::array kOf{"", "argument", "held", "pose"};
+  static constexpr std::array kOf{"", "argument", "held", "pose", "others"};
   static constexpr std::array kWhen{"always", "closed", "running", "closes", "cleans", "fills"};
   Json states = Json::array(), actions = Json::array();
   for (const ThorState& row : thor_states()) {

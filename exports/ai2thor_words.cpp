@@ -61,7 +61,9 @@ constexpr std::array kThorInMachine{
     ThorCall{"ToggleObjectOn", ThorTarget::Argument}, ThorCall{"ToggleObjectOff", ThorTarget::Argument},
     ThorCall{"PickupObject", ThorTarget::Held}};
 constexpr std::array kThorAtTap{ThorCall{"CleanObject", ThorTarget::Held, ThorWhen::Cleans},
-                                ThorCall{"FillObjectWithLiquid", ThorTarget::Held, ThorWhen::Fills}};
+                                ThorCall{"FillObjectWithLiquid", ThorTarget::Held, ThorWhen::Fills},
+                                ThorCall{"CleanObject", ThorTarget::Others, ThorWhen::Cleans},
+                                ThorCall{"FillObjectWithLiquid", ThorTarget::Others, ThorWhen::Fills}};
 
 constexpr std::array kThorActions{ThorActionRow{ActionType::MoveForward, "", kThorMove},
                                   ThorActionRow{ActionType::MoveBackward, "", kThorMove},

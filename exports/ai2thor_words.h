@@ -24,8 +24,8 @@ struct ThorState {
 /// The row of a state, or nullptr when the metadata does not tell it.
 const ThorState* thor_state(Predicate state);
 
-/// Whom a call names.
-enum class ThorTarget { Nothing, Argument, Held, Pose };
+/// Whom a call names. Others: each object that the step changes but those two; a tap also cleans what is in its basin.
+enum class ThorTarget { Nothing, Argument, Held, Pose, Others };
 /// When a step needs a call. Closed, Running: the target is so before the step. Closes: it is closed after it. Cleans,
 /// Fills: the step cleans, or fills, the target.
 enum class ThorWhen { Always, Closed, Running, Closes, Cleans, Fills };

@@ -16,6 +16,7 @@ from typing import Any
 from acting import Acting, Facts, Json, serve
 from run_ai2thor import Controller, Episode, Metadata, is_part, read_task, start_controller
 
+RELATIONS = ("on", "inside", "on_floor", "in_room")  # what is translated
 STANDING_M = 0.95  # height of the agent's middle in every house of ProcTHOR
 
 
@@ -43,11 +44,12 @@ class ThorTranslator:
         self.names: dict[str, str] = task["objects"]
         self.rooms = {theirs: ours for ours, theirs in task["rooms"].items()}
         self.places: dict[str, list[str]] = task["places"]
-        kinds = {row["state"]: row["kind"] for row in self.words["states"]}
-        self.kinds = {  # of the states that an object has; a new piece has those that our physics give it
-            name: {kinds[state.split("(")[0]] for state in states if state.split("(")[0] in kinds}
-            for name, states in start.states.items()
-        }
+        self.kinds = {name: self.kinds_of(states) for name, states in start.states.items()}
+
+    def kinds_of(self, states: list[str]) -> set[str]:
+        """The kinds of states that an object with these has."""
+        names = {state.split("(")[0] for state in states}
+        return {row["kind"] for row in self.words["states"] if row["state"] in names}
 
     def read(self, now: Metadata) -> Facts:
         facts = Facts()
@@ -101,7 +103,8 @@ class ThorActing:
         if not self.episode.start():
             raise RuntimeError(f"AI2-THOR does not make the start: {self.episode.failed}")
         self.translator = ThorTranslator(self.task, start)
-        self.facts = start  # so that the first answer says in what AI2-THOR's start is another
+        told = {edge for edge in start.edges if edge[0] in RELATIONS}
+        self.facts = Facts(start.states, told, start.held)  # so that the first answer says in what AI2-THOR's start is another
 
     def act(self, action: str, args: list[str], ours: Json) -> Json:
         calls = self._calls_of(action, args)
@@ -109,10 +112,15 @@ class ThorActing:
             return self._answer(f"AI2-THOR has no {action} of {', '.join(args)}")
         self._name_pieces(ours)
         before = self.episode.now()
+        held = next(iter(self.translator.read(before).held), "")
+        known = (node["id"] for node in ours.get("nodes", []) if node["id"] in self.task["objects"])
+        changed = [one for one in known if one not in (held, *args[-1:])]
+        named = {"pose": args[-1:] or [""], "argument": args[-1:], "held": [held], "others": changed}
         for row in calls:
-            call = self._call(row, args, ours, before)
-            if call is not None and not self.episode.call(action, call):
-                return self._answer((self.episode.failed or {})["message"])
+            for name in named.get(row.get("of", ""), [""]):
+                call = self._call(row, name, ours, before)
+                if call is not None and not self.episode.call(action, call):
+                    return self._answer((self.episode.failed or {})["message"])
         return self._answer("")
 
     def _name_pieces(self, ours: Json) -> None:
@@ -123,6 +131,8 @@ class ThorActing:
             if whole is not None and node["id"] not in names:
                 stem = f"{whole}|{node['category']}_"
                 names[node["id"]] = stem + str(sum(one.startswith(stem) for one in names.values()))
+            if node["id"] not in self.translator.kinds:
+                self.translator.kinds[node["id"]] = self.translator.kinds_of(node["states"])
 
     def _calls_of(self, action: str, args: list[str]) -> list[Json] | None:
         """The rows of an action with this tool."""
@@ -131,15 +141,14 @@ class ThorActing:
         rows = (row for row in self.task["words"]["actions"] if row["action"] == action and row.get("tool", kind) == kind)
         return next((row["calls"] for row in rows), None)
 
-    def _call(self, row: Json, args: list[str], ours: Json, before: Metadata) -> Json | None:
-        """The call of a row; None where this step does not need it."""
+    def _call(self, row: Json, name: str, ours: Json, before: Metadata) -> Json | None:
+        """The call of a row for an object of ours; None where this step does not need it."""
         call = {key: value for key, value in row.items() if key not in ("of", "when")}
         if row.get("of") == "pose":
-            near = {"near": self.task["objects"][args[-1]]} if args and args[-1] in self.task["objects"] else {}
+            near = {"near": self.task["objects"][name]} if name in self.task["objects"] else {}
             return {**call, **pose_of(ours["agent"]), **near} if "agent" in ours else None
         if "of" not in row:
             return call
-        name = args[-1] if row["of"] == "argument" else next(iter(self.translator.read(before).held), "")
         object_id = self.task["objects"].get(name, "")
         after: list[str] = next((node["states"] for node in ours.get("nodes", []) if node["id"] == name), [])
         now = self.episode.now().objects.get(object_id, {})

@@ -154,6 +154,22 @@ def test_calls_are_answered_line_by_line(folder, dataset):
     assert "none.json" in answers[3]["error"]["message"]
 
 
+def test_what_else_an_action_changes_is_changed_there_too(folder, dataset):
+    """A tap cleans what stands in its basin, too."""
+    task = next(iter(dataset)).id
+    episode = begin(folder, dataset, task)
+    names = list(episode.task["objects"])[:2]
+    for name in names:
+        episode.episode.controller.objects[episode.task["objects"][name]]["isDirty"] = True
+    episode.episode.controller._event(None)
+    row = {"action": "CleanObject", "of": "others", "when": "cleans"}
+    episode.task["words"]["actions"] = [{"action": "wash_with", "calls": [row]}]
+    ours = {"nodes": [{"id": names[0], "states": ["clean"]}, {"id": names[1], "states": ["dirty"]}]}
+    assert episode.act("wash_with", [], ours)["success"]
+    dirty = [episode.episode.controller.objects[episode.task["objects"][name]]["isDirty"] for name in names]
+    assert dirty == [False, True]
+
+
 def test_the_pose_is_unitys():
     pose = act_ai2thor.pose_of({"position": [1.0, 2.0], "yaw_rad": 0.0, "pitch_rad": 2.0, "held": []})
     assert pose["position"] == {"x": 1.0, "y": 0.95, "z": 2.0}

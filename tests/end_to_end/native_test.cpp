@@ -9,6 +9,7 @@
 #include "core/text.h"
 #include "data_set.h"
 #include "program.h"
+#include "schema_checker.h"
 
 namespace unietp {
 namespace {
@@ -84,6 +85,7 @@ TEST(Native, AFloorPlanIsNamedAndAllOfItKeepsItsIds) {
       EXPECT_TRUE(ids.contains(theirs.get<std::string>()) ||
                   theirs.get<std::string>().find("Sliced_") != std::string::npos);
     }
+    EXPECT_EQ(SchemaChecker().check(json, "ai2thor.schema.json"), "") << task;
     EXPECT_EQ(json["start"][0]["call"]["action"], "SetObjectPoses");
     EXPECT_EQ(json["start"][0]["call"]["objectPoses"].size(), 5U) << "what can move";
   }
