@@ -155,8 +155,8 @@ void add_selection_options(CommandParser& command, EvaluateChoice& choice) {
   command
       .add_option(
           "--backend", choice.backend,
-          "Where actions are done and goals judged: unietp, or virtualhome, its graph simulator, with the Python "
-          "package of that name (docs/native.md)")
+          "Where actions are done and goals judged: unietp, or, with the Python package of that name, virtualhome (its "
+          "graph simulator) or ai2thor (docs/native.md)")
       ->type_name("NAME")
       ->suggests({"unietp", "virtualhome"})
       ->shows_default();

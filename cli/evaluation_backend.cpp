@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "evaluation/evaluate.h"
+#include "exports/ai2thor_words.h"
 #include "exports/formats.h"
 #include "generator/goal_variable.h"
 #include "record/manifest_record.h"
@@ -20,17 +21,26 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kTasks = "tasks";  // in the folder
+constexpr const char* kProgram = "program";
 
-/// What python/adapters/run_virtualhome.py translates, and what does not change.
-constexpr std::array kTold{Predicate::Open,     Predicate::Closed, Predicate::PowerOn, Predicate::PowerOff,
-                           Predicate::Clean,    Predicate::Dirty,  Predicate::On,      Predicate::Inside,
-                           Predicate::OnFloor,  Predicate::InRoom, Predicate::Held,    Predicate::Colour,
-                           Predicate::Material, Predicate::Size};
+/// What every program of python/adapters translates, and what does not change.
+constexpr std::array kTold{Predicate::Open,    Predicate::Closed,   Predicate::On,   Predicate::Inside,
+                           Predicate::OnFloor, Predicate::InRoom,   Predicate::Held, Predicate::SliceOf,
+                           Predicate::Colour,  Predicate::Material, Predicate::Size};
+/// What act_virtualhome.py tells besides.
+constexpr std::array kToldByVirtualhome{Predicate::PowerOn, Predicate::PowerOff, Predicate::Clean, Predicate::Dirty};
 
-bool is_told(const Formula& goal) {
+template <class List>
+bool has(const List& list, Predicate one) {
+  return std::find(list.begin(), list.end(), one) != list.end();
+}
+
+bool is_told(const Formula& goal, const std::string& backend) {
   const auto asked = predicates_in(goal);
-  return std::all_of(asked.begin(), asked.end(),
-                     [](Predicate one) { return std::find(kTold.begin(), kTold.end(), one) != kTold.end(); });
+  return std::all_of(asked.begin(), asked.end(), [&](Predicate one) {
+    if (has(kTold, one)) return true;
+    return backend == "ai2thor" ? thor_state(one) != nullptr : has(kToldByVirtualhome, one);
+  });
 }
 
 Result<fs::path> scratch_folder() {
@@ -60,12 +70,19 @@ Result<Done> write_form(const std::string& form, const fs::path& dataset, const 
 
 }  // namespace
 
-BackendTasks::BackendTasks(std::vector<std::string> command, fs::path folder)
-    : command_(std::move(command)), folder_(new fs::path(std::move(folder)), [](const fs::path* path) {
+BackendTasks::BackendTasks(fs::path folder)
+    : folder_(new fs::path(std::move(folder)), [](const fs::path* path) {
         std::error_code code;
         fs::remove_all(*path, code);
         delete path;
       }) {}
+
+Result<Done> BackendTasks::write_program(const std::string& backend) {
+  auto command = simulator_command(backend, *folder_ / kProgram);
+  if (!command) return command.error();
+  command_ = std::move(*command);
+  return Done{};
+}
 
 SimulatorMaker BackendTasks::simulators(double reply_s, const CommandLine& program) const {
   if (!folder_) return {};
@@ -82,17 +99,16 @@ SimulatorMaker BackendTasks::simulators(double reply_s, const CommandLine& progr
 Result<BackendTasks> backend_tasks(const std::string& backend, const fs::path& dataset, const TaskSource& tasks,
                                    EpisodeSelection& selection, const CommandLine& program) {
   if (backend == "unietp") return BackendTasks();
-  auto command = simulator_command(backend);
-  if (!command) return command.error();
+  auto folder = scratch_folder();
+  if (!folder) return folder.error();
+  BackendTasks made(*folder);
+  if (auto written = made.write_program(backend); !written) return written.error();
   const std::vector<std::string> own{backend};  // a backend is called as its simulator
   if (!selection.simulators.empty() && selection.simulators != own)
     return Error{Error::Kind::Usage, "--simulators", {}, "the backend " + backend + " has only tasks of " + backend};
   selection.simulators = own;
   const auto plan = plan_episodes(tasks, selection, false);
   if (!plan) return plan.error();
-  auto folder = scratch_folder();
-  if (!folder) return folder.error();
-  BackendTasks made(std::move(*command), *folder);
   if (auto written = write_form(backend, dataset, *folder, program); !written) return written.error();
   std::vector<std::string> kept;
   int left_out = 0;
@@ -102,7 +118,7 @@ Result<BackendTasks> backend_tasks(const std::string& backend, const fs::path& d
     const auto task = tasks.task(planned.position);
     if (!task) return task.error();
     const bool expressed = fs::exists(*folder / kTasks / (id + ".json"));
-    if (expressed && is_told((*task)->goal)) {
+    if (expressed && is_told((*task)->goal, backend)) {
       kept.push_back(id);
     } else {
       ++left_out;

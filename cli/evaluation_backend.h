@@ -13,12 +13,15 @@
 
 namespace unietp {
 
-/// The tasks of an evaluation in the form of the simulator in which it is acted out, in a folder that goes with the
-/// last copy. Empty where our own physics are the backend.
+/// The tasks of an evaluation in the form of the simulator in which it is acted out, and the program that does so, in a
+/// folder that goes with the last copy. Empty where our own physics are the backend.
 class BackendTasks {
  public:
   BackendTasks() = default;
-  BackendTasks(std::vector<std::string> command, std::filesystem::path folder);  // of the runner; of the tasks
+  explicit BackendTasks(std::filesystem::path folder);
+
+  /// Errors: those of simulator_command.
+  Result<Done> write_program(const std::string& backend);
 
   /// What makes the simulator for each thread; empty for our own physics. `reply_s`: the time for one answer.
   SimulatorMaker simulators(double reply_s, const CommandLine& program) const;

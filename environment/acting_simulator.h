@@ -16,8 +16,9 @@ class ActingSimulator {
   virtual ~ActingSimulator() = default;
   /// Brings the start of a task about. Errors: what went wrong, which is not the agent's doing.
   virtual Result<Done> begin(const EnvironmentTask& task) = 0;
-  /// Executes an action that our physics allow. `now`: its state, in our scene graph. Errors: as begin.
-  virtual Result<SimulatorAnswer> act(const Action& action, const Scene& now) = 0;
+  /// Executes an action that our physics allow. `now`: its state, in our scene graph. `ours`: what the action changed
+  /// in our physics. Errors: as begin.
+  virtual Result<SimulatorAnswer> act(const Action& action, const Scene& now, const Delta& ours) = 0;
 };
 using SharedSimulator = std::shared_ptr<ActingSimulator>;  // by the states of one environment
 

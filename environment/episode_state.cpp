@@ -61,8 +61,8 @@ EpisodeEnd EpisodeState::end() const {
   return EpisodeEnd::None;
 }
 
-std::optional<SimulatorAnswer> EpisodeState::ask(const Action& action) {
-  auto answer = simulator->act(action, theirs);
+std::optional<SimulatorAnswer> EpisodeState::ask(const Action& action, const Delta& ours) {
+  auto answer = simulator->act(action, theirs, ours);
   if (!answer) {
     broken = format(answer.error());
     return std::nullopt;
@@ -137,7 +137,8 @@ void StepInProgress::act(const AnsweredAction& action) {
     changes = episode.world().changes();
     state_.read(changes);
   } else if (state_.simulator && outcome.success && !episode.world().stopped()) {
-    theirs = state_.ask(episode.last_action());
+    const bool moved = episode.world().moment() != before;
+    theirs = state_.ask(episode.last_action(), moved ? episode.world().changes() : Delta());
     if (!theirs) return;
     if (theirs->success) {
       changes = theirs->changes;

@@ -34,7 +34,7 @@ struct EpisodeState {
   /// The scene graph that the goal is judged on.
   const Scene& judged_scene() const { return simulator ? theirs : episode.world().scene(); }
   /// What the simulator makes of an action, with its state kept up; nullopt when it does not answer.
-  std::optional<SimulatorAnswer> ask(const Action& action);
+  std::optional<SimulatorAnswer> ask(const Action& action, const Delta& ours);
   /// Reads the goal after a step that changed something.
   void read(const Delta& changes);
   /// Makes the observation of the present state; `results`: what was executed since the one before.

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/files.h"
 #include "core/limits.h"
 #include "core/unknown_name.h"
 #include "evaluation/child_process.h"
@@ -13,12 +14,24 @@
 #include "record/record_fields.h"
 #include "scene/json_parse.h"
 #include "scene/node_json.h"
+#include "scene/scene_json.h"
 #include "scene/telling_order.h"
 
 namespace unietp {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// A state in the words of answers.
+Json facts_json(const Scene& scene) {
+  Json states = Json::object(), edges = Json::array();
+  for (const Node& node : scene.nodes) {
+    Json& names = states[node.id] = Json::array();
+    for (const State& state : node.states.all()) names.push_back(state_name(state));
+  }
+  for (const Edge& edge : scene.edges) edges.push_back({info(edge.relation).name, edge.from, edge.to});
+  return {{"states", std::move(states)}, {"edges", std::move(edges)}, {"held", scene.agent.held}};
+}
 
 class SimulatorProgram : public ActingSimulator {
  public:
@@ -27,17 +40,20 @@ class SimulatorProgram : public ActingSimulator {
   Result<Done> begin(const EnvironmentTask& task) override {
     Json rooms = Json::array();
     for (const Room& room : in_telling_order(task.start).rooms) rooms.push_back(room.id);
-    const auto line =
-        call("begin", {{"task", task.text.id}, {"folder", options_.folder.string()}, {"rooms", std::move(rooms)}});
+    const auto line = call("begin", {{"task", task.text.id},
+                                     {"folder", options_.folder.string()},
+                                     {"rooms", std::move(rooms)},
+                                     {"start", facts_json(task.start)}});
     if (!line) return line.error();
     if (auto read = read_result(*line, [](JsonReader&, JsonFields&) {}); !read) return failed(read.error());
     return Done{};
   }
 
-  Result<SimulatorAnswer> act(const Action& action, const Scene& now) override {
-    const auto line = call("act", {{"action", info(action.type).name}, {"args", action.args}});
+  Result<SimulatorAnswer> act(const Action& action, const Scene& now, const Delta& ours) override {
+    const auto line = call(
+        "act", {{"action", info(action.type).name}, {"args", action.args}, {"ours", Json::parse(delta_to_json(ours))}});
     if (!line) return line.error();
-    auto answer = read_simulator_answer(*line, calls_, now);
+    auto answer = read_simulator_answer(*line, calls_, now, ours);
     if (!answer) return failed(answer.error());
     return answer;
   }
@@ -95,20 +111,20 @@ class SimulatorProgram : public ActingSimulator {
   int calls_ = 0;
 };
 
-/// Adds the nodes whose states changed, as they are now.
-void read_states(JsonReader& reader, const JsonAt& at, const Scene& now, Delta& changes) {
+/// Adds the nodes that are new or whose states changed, as they are now.
+void read_states(JsonReader& reader, const JsonAt& at, const Scene& now, const Delta& ours, Delta& changes) {
   if (!at.json.is_object()) return reader.fail(at, "expected an object of lists of states");
   for (const auto& [id, states] : at.json.items()) {
     const JsonAt item{states, &at, id};
     const Node* const node = find_node(now, id);
-    if (node == nullptr) return reader.fail(item, "expected the id of an object");
-    Node changed = *node;
-    for (const std::string& name : reader.texts(item)) {
-      const auto state = predicate_named(name);
-      if (!state || !is_node_state(*state) || has_symbol(*state)) return reader.fail(item, "expected names of states");
-      changed.states.set({*state, ""});
+    const auto made = std::find_if(ours.nodes.begin(), ours.nodes.end(), [&](const Node& one) { return one.id == id; });
+    if (node == nullptr && made == ours.nodes.end()) return reader.fail(item, "expected the id of an object");
+    Node changed = node != nullptr ? *node : *made;
+    const std::size_t count = reader.items(item);
+    for (std::size_t i = 0; i < count && !reader.error(); ++i) {
+      if (const auto state = state_from_json(reader, reader.item(item, i))) changed.states.set(*state);
     }
-    if (changed != *node) changes.nodes.push_back(std::move(changed));
+    if (node == nullptr || changed != *node) changes.nodes.push_back(std::move(changed));
   }
 }
 
@@ -126,12 +142,12 @@ void read_edges(JsonReader& reader, const JsonAt& at, std::vector<Edge>& edges) 
 
 }  // namespace
 
-Result<SimulatorAnswer> read_simulator_answer(std::string_view line, int id, const Scene& now) {
+Result<SimulatorAnswer> read_simulator_answer(std::string_view line, int id, const Scene& now, const Delta& ours) {
   SimulatorAnswer answer;
   const auto read = SimulatorProgram::read_call(line, id, [&](JsonReader& reader, JsonFields& fields) {
     if (const auto f = fields.required("success")) answer.success = reader.boolean(*f);
     if (const auto f = fields.required("message")) answer.message = text_or_empty(reader, *f);
-    if (const auto f = fields.required("states")) read_states(reader, *f, now, answer.changes);
+    if (const auto f = fields.required("states")) read_states(reader, *f, now, ours, answer.changes);
     if (const auto f = fields.required("edges_added")) read_edges(reader, *f, answer.changes.edges_added);
     if (const auto f = fields.required("edges_removed")) read_edges(reader, *f, answer.changes.edges_removed);
     if (const auto f = fields.optional("held")) {
@@ -148,18 +164,24 @@ SharedSimulator simulator_program(SimulatorProgramOptions options) {
 }
 
 const std::vector<std::string>& simulator_backends() {
-  static const std::vector<std::string> kNames{"virtualhome"};
+  static const std::vector<std::string> kNames{"virtualhome", "ai2thor"};
   return kNames;
 }
 
-Result<std::vector<std::string>> simulator_command(const std::string& backend) {
+Result<std::vector<std::string>> simulator_command(const std::string& backend, const std::filesystem::path& folder) {
   const auto& names = simulator_backends();
   if (std::find(names.begin(), names.end(), backend) == names.end()) {
     auto accepted = names;
     accepted.insert(accepted.begin(), "unietp");
     return unknown_name_error("--backend", backend, accepted);
   }
-  return std::vector<std::string>{"python3", "-c", std::string(evaluation_asset("run_" + backend + ".py"))};
+  const std::string program = "act_" + backend + ".py";
+  for (const std::string& file : {program, std::string("acting.py"), "run_" + backend + ".py"}) {
+    const std::string_view text = evaluation_asset(file);
+    if (text.empty()) continue;  // not every one has a runner of its own
+    if (auto written = write_file(folder, file, text); !written) return written.error();
+  }
+  return std::vector<std::string>{"python3", (folder / program).string()};
 }
 
 }  // namespace unietp

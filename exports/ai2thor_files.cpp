@@ -4,8 +4,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "exports/ai2thor_floor_plan.h"
 #include "exports/ai2thor_goal.h"
 #include "exports/ai2thor_plan.h"
+#include "exports/ai2thor_words.h"
 #include "exports/express.h"
 #include "interchange/formats.h"
 #include "scene/trace.h"
@@ -41,8 +43,11 @@ const Category* whole_of(const std::string& piece, const Knowledge& knowledge) {
   return nullptr;
 }
 
-/// AI2-THOR has no models of pieces: the whole stands where a piece lies, unless that is inside a smaller thing.
-Result<ThorHouse> write_house(const Scene& start, const Knowledge& knowledge, const FormatFacts& facts) {
+/// What AI2-THOR loads. It has no models of pieces: the whole stands where a piece lies, unless that is inside a
+/// smaller thing.
+Result<ThorHouse> write_house(const FinishedTask& task, const Knowledge& knowledge, const FormatFacts& facts) {
+  if (is_floor_plan(task)) return ThorHouse{write_floor_plan(task), {}};
+  const Scene& start = task.start;
   Scene scene = start;
   std::map<std::string, std::string> pieces;  // category by id
   for (const Node& node : start.nodes) {
@@ -106,6 +111,31 @@ FinishedTask in_house(FinishedTask task, const ThorNames& names) {
   return task;
 }
 
+/// How each place that is in the house holds things, "on" it or "inside"; where both, heights tell which. `parts`: the
+/// types of the parts of places that hold them.
+struct ThorPlaces {
+  Json holds = Json::object(), parts = Json::object();
+};
+
+ThorPlaces places_of(const Scene& start, const ThorNames& names, const Knowledge& knowledge) {
+  ThorPlaces places;
+  for (const Node& node : start.nodes) {
+    if (!names.contains(node.id)) continue;
+    Json ways = Json::array();
+    if (knowledge.has(node.category, "receptacle")) ways.push_back("on");
+    if (knowledge.has(node.category, "container")) ways.push_back("inside");
+    if (!ways.empty()) places.holds[node.id] = std::move(ways);
+    if (const auto part = thor_holding_part(node.category); !part.empty()) places.parts[node.id] = part;
+  }
+  return places;
+}
+
+Json rooms_of(const Scene& start) {
+  Json rooms = Json::object();
+  for (std::size_t i = 0; i < start.rooms.size(); ++i) rooms[start.rooms[i].id] = procthor_room_id(i);
+  return rooms;
+}
+
 /// A task as the runner reads it, and its house. Errors: Unsatisfiable, for what AI2-THOR cannot express.
 Result<Json> task_json(const FinishedTask& task, ThorHouse& made, const Knowledge& knowledge) {
   ExportedScene& house = made.written;
@@ -126,11 +156,13 @@ Result<Json> task_json(const FinishedTask& task, ThorHouse& made, const Knowledg
   used.insert(goal->objects.begin(), goal->objects.end());
   auto start = thor_start(theirs.start, names, used, house.left_out);
   if (!start) return start.error();
+  if (is_floor_plan(task)) start->insert(start->begin(), Json{{"call", floor_plan_poses(task.start)}});
   for (const auto& [id, whole] : made.wholes) {
     const Json cut{{"action", "SliceObject"}, {"objectId", whole}, {"forceAction", true}};
     const Json one{{"unless", *thor_test({Predicate::Sliced, ""}, whole)}, {"call", cut}};
     start->insert(start->begin(), one);
   }
+  ThorPlaces places = places_of(theirs.start, names, knowledge);
   std::size_t at = 0;
   for (std::size_t i = 0; i < shown.steps.size(); ++i) {
     if (shown.steps[i].success && shown.steps[i].command.action != "stop")
@@ -142,6 +174,9 @@ Result<Json> task_json(const FinishedTask& task, ThorHouse& made, const Knowledg
               {"instruction", task.record.instruction},
               {"house", task.record.id + ".house.json"},
               {"objects", names},
+              {"rooms", rooms_of(theirs.start)},
+              {"places", std::move(places.holds)},
+              {"parts", std::move(places.parts)},
               {"not_said", house.left_out},
               {"start", std::move(*start)},
               {"plan", std::move(*plan)},
@@ -149,7 +184,8 @@ Result<Json> task_json(const FinishedTask& task, ThorHouse& made, const Knowledg
                {{"text", task.record.goal_text},
                 {"formula", goal->formula},
                 {"propositions", Json::parse(goal->propositions)},
-                {"holds", goal->holding.front()}}}};
+                {"holds", goal->holding.front()}}},
+              {"words", thor_words()}};
 }
 
 /// For each task of AI2-THOR `<task>.house.json`, its home for CreateHouse, and `<task>.json`, the calls that start it,
@@ -166,7 +202,7 @@ Result<ExpressTask> express_ai2thor(const ExportRequest& request) {
   return ExpressTask([facts = std::move(facts), &request](const FinishedTask& task) -> Result<ExpressedTask> {
     if (task.start.simulator != Simulator::Ai2thor) return ExpressedTask{{}, "not a task of AI2-THOR"};
     const Knowledge& knowledge = *backend_of(request.backends, task.start).knowledge;
-    auto house = write_house(task.start, knowledge, facts);
+    auto house = write_house(task, knowledge, facts);
     if (!house) return house.error();
     const auto json = task_json(task, *house, knowledge);
     if (!json) return ExpressedTask{{}, json.error().message};

@@ -1,6 +1,7 @@
 #include "exports/ai2thor_plan.h"
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 
 #include <nlohmann/json.hpp>
@@ -26,6 +27,17 @@ std::string liquid_in(const Node* node) {
     if (state.predicate == Predicate::Filled) return state.symbol;
   }
   return "";
+}
+
+/// What a call says but for whom it names.
+Json fixed_part(std::string_view action) {
+  Json call{{"action", action}};
+  if (action == "OpenObject") call["openness"] = 1.0;
+  if (action == "PutObject") {
+    call["forceAction"] = true;  // also where iTHOR's own scenes would not put it
+    call["placeStationary"] = true;
+  }
+  return call;
 }
 
 class ThorPlanner {
@@ -57,20 +69,27 @@ class ThorPlanner {
       return thor_lacks("AI2-THOR has no " + step.command.action +
                         (tool == nullptr ? std::string() : " of or with " + tool->category));
     }
+    const std::string held = scene_.agent.held.empty() ? std::string() : scene_.agent.held.front();
     for (const ThorCall& row : *rows) {
-      if (auto added = add(row, calls); !added) return added.error();
+      if (row.target != ThorTarget::Others) {
+        if (auto added = add(row, held, calls); !added) return added.error();
+        continue;
+      }
+      for (const Node& node : step.changes.nodes) {
+        if (node.id == argument_ || node.id == held || !names_.contains(node.id)) continue;
+        if (auto added = add(row, node.id, calls); !added) return added.error();
+      }
     }
     return Done{};
   }
 
-  Result<Done> add(const ThorCall& row, Json& calls) {
-    Json call{{"action", row.action}};
+  /// `thing`: of what is not the argument.
+  Result<Done> add(const ThorCall& row, const std::string& thing, Json& calls) {
+    Json call = fixed_part(row.action);
     if (row.target == ThorTarget::Pose) {
       add_pose(call);
     } else if (row.target != ThorTarget::Nothing) {
-      const std::string object = row.target == ThorTarget::Argument ? argument_
-                                 : scene_.agent.held.empty()        ? std::string()
-                                                                    : scene_.agent.held.front();
+      const std::string object = row.target == ThorTarget::Argument ? argument_ : thing;
       if (!needed(row.when, object)) return Done{};
       const auto name = names_.find(object);
       if (name == names_.end()) return thor_lacks(object + " is not in the house");
@@ -103,11 +122,8 @@ class ThorPlanner {
   }
 
   void add_details(std::string_view action, const std::string& object, Json& call) const {
-    if (action == "OpenObject") call["openness"] = 1.0;
     if (action == "FillObjectWithLiquid") call["fillLiquid"] = liquid_in(find_node(after_, object));
     if (action == "PutObject") {
-      call["forceAction"] = true;  // also where iTHOR's own scenes would not put it
-      call["placeStationary"] = true;
       if (const Node* const node = find_node(scene_, object)) {
         if (const auto part = thor_holding_part(node->category); !part.empty()) call["part"] = part;
       }
@@ -144,6 +160,31 @@ Error thor_lacks(std::string why) { return {Error::Kind::Unsatisfiable, "", {}, 
 
 Result<Json> thor_plan(const DemonstrationRecord& demonstration, Scene start, ThorNames& names) {
   return ThorPlanner(std::move(start), names).run(demonstration);
+}
+
+Json thor_words() {
+  static constexpr std::array kOf{"", "argument", "held", "pose", "others"};
+  static constexpr std::array kWhen{"always", "closed", "running", "closes", "cleans", "fills"};
+  Json states = Json::array(), actions = Json::array();
+  for (const ThorState& row : thor_states()) {
+    if (row.state == Predicate::Held) continue;  // which follows from the agent
+    Json one{{"state", info(row.state).name}, {"kind", info(row.state).group}, {"key", row.key}};
+    if (row.state != Predicate::Filled) one["equals"] = json_of(row.value);
+    states.push_back(std::move(one));
+  }
+  for (const ThorActionRow& row : thor_actions()) {
+    Json one{{"action", info(row.action).name}};
+    if (!row.tool.empty()) one["tool"] = row.tool;
+    one["calls"] = Json::array();
+    for (const ThorCall& call : row.calls) {
+      Json said = fixed_part(call.action);
+      if (call.target != ThorTarget::Nothing) said["of"] = kOf[static_cast<std::size_t>(call.target)];
+      if (call.when != ThorWhen::Always) said["when"] = kWhen[static_cast<std::size_t>(call.when)];
+      one["calls"].push_back(std::move(said));
+    }
+    actions.push_back(std::move(one));
+  }
+  return {{"states", std::move(states)}, {"actions", std::move(actions)}};
 }
 
 std::optional<Json> thor_test(const State& state, const std::string& object) {

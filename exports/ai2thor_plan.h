@@ -31,6 +31,11 @@ Result<nlohmann::ordered_json> thor_plan(const DemonstrationRecord& demonstratio
 Result<nlohmann::ordered_json> thor_start(const Scene& start, const ThorNames& names, const std::set<std::string>& used,
                                           std::vector<std::string>& differs);
 
+/// The tables of `thor_states` and `thor_actions` for a program that acts: `states` (our state, its group of states
+/// that exclude each other, key of the metadata and its value; that of a liquid is its name) and `actions` (our action,
+/// the tool where it matters, and its calls, each with whom it is `of` and `when` a step needs it).
+nlohmann::ordered_json thor_words();
+
 /// A test of one object's metadata for one of its states. nullopt when the metadata does not tell it.
 std::optional<nlohmann::ordered_json> thor_test(const State& state, const std::string& object);
 

@@ -61,13 +61,10 @@ constexpr std::array kThorInMachine{
     ThorCall{"ToggleObjectOn", ThorTarget::Argument}, ThorCall{"ToggleObjectOff", ThorTarget::Argument},
     ThorCall{"PickupObject", ThorTarget::Held}};
 constexpr std::array kThorAtTap{ThorCall{"CleanObject", ThorTarget::Held, ThorWhen::Cleans},
-                                ThorCall{"FillObjectWithLiquid", ThorTarget::Held, ThorWhen::Fills}};
+                                ThorCall{"FillObjectWithLiquid", ThorTarget::Held, ThorWhen::Fills},
+                                ThorCall{"CleanObject", ThorTarget::Others, ThorWhen::Cleans},
+                                ThorCall{"FillObjectWithLiquid", ThorTarget::Others, ThorWhen::Fills}};
 
-struct ThorActionRow {
-  ActionType action;
-  std::string_view tool;  // a category; "" for every one, where no row above names it
-  std::span<const ThorCall> calls;
-};
 constexpr std::array kThorActions{ThorActionRow{ActionType::MoveForward, "", kThorMove},
                                   ThorActionRow{ActionType::MoveBackward, "", kThorMove},
                                   ThorActionRow{ActionType::MoveLeft, "", kThorMove},
@@ -101,6 +98,9 @@ constexpr std::array kThorActions{ThorActionRow{ActionType::MoveForward, "", kTh
                                   ThorActionRow{ActionType::WashWith, "", kThorAtTap}};
 
 }  // namespace
+
+std::span<const ThorState> thor_states() { return kThorStates; }
+std::span<const ThorActionRow> thor_actions() { return kThorActions; }
 
 const ThorState* thor_state(Predicate state) {
   const auto* const row =

@@ -24,8 +24,8 @@ struct ThorState {
 /// The row of a state, or nullptr when the metadata does not tell it.
 const ThorState* thor_state(Predicate state);
 
-/// Whom a call names.
-enum class ThorTarget { Nothing, Argument, Held, Pose };
+/// Whom a call names. Others: each object that the step changes but those two; a tap also cleans what is in its basin.
+enum class ThorTarget { Nothing, Argument, Held, Pose, Others };
 /// When a step needs a call. Closed, Running: the target is so before the step. Closes: it is closed after it. Cleans,
 /// Fills: the step cleans, or fills, the target.
 enum class ThorWhen { Always, Closed, Running, Closes, Cleans, Fills };
@@ -34,6 +34,15 @@ struct ThorCall {
   ThorTarget target = ThorTarget::Nothing;
   ThorWhen when = ThorWhen::Always;
 };
+/// An action with a tool.
+struct ThorActionRow {
+  ActionType action;
+  std::string_view tool;  // a category; "" for every one, where no row above names it
+  std::span<const ThorCall> calls;
+};
+/// All rows.
+std::span<const ThorState> thor_states();
+std::span<const ThorActionRow> thor_actions();
 /// The calls of an action; nothing when AI2-THOR does not have it with this tool (a category).
 std::optional<std::span<const ThorCall>> thor_calls(ActionType action, std::string_view tool);
 

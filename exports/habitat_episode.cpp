@@ -51,11 +51,11 @@ class EpisodeWriter {
     std::map<std::string, int> count;
     for (const Node& node : start_.nodes) {
       if (!node.movable || node.openable) continue;
-      const std::string stand_in = habitat_stand_in_name(node);
+      const std::string name = habitat_template_name(node);
       std::array<char, 16> number{};
-      std::snprintf(number.data(), number.size(), "_:%04d", count[stand_in]++);
-      names_[node.id] = stand_in + number.data();
-      rigid.push_back({stand_in + ".object_config.json", transform(node.pose)});
+      std::snprintf(number.data(), number.size(), "_:%04d", count[name]++);
+      names_[node.id] = name + number.data();
+      rigid.push_back({name + ".object_config.json", transform(node.pose)});
     }
     targets();
     const std::string scene = "scenes/" + task_.record.id + ".scene_instance.json";

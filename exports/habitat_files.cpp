@@ -24,6 +24,12 @@ class HabitatFolder {
 
   Result<std::optional<std::string>> add(const FinishedTask& task, const fs::path& folder) {
     if (task.start.simulator != Simulator::Habitat) return std::optional<std::string>("not a task of Habitat");
+    for (const Node& node : task.start.nodes) {
+      const auto own = habitat_own_template(node);
+      with_own_ = with_own_ || own;
+      if (own && node.openable && node.opening > 0)
+        return std::optional(node.id + " is open at the start, and the joints of " + *own + " are not known");
+    }
     // Habitat adds an episode's rigid objects to the scene of the furniture.
     Scene furniture = task.start;
     furniture.id = task.record.id;
@@ -33,7 +39,7 @@ class HabitatFolder {
     std::vector<AssetFile> files = habitat_stage(furniture);
     files.push_back({std::string(kScenes) + "/" + task.record.id + ".scene_instance.json", scene->text});
     for (const Node& node : task.start.nodes) {
-      if (!stand_ins_.insert(habitat_stand_in_name(node)).second) continue;
+      if (habitat_own_template(node) || !stand_ins_.insert(habitat_stand_in_name(node)).second) continue;
       for (AssetFile& file : habitat_stand_in(node)) files.push_back(std::move(file));
     }
     episodes_.push_back(habitat_episode(task, scene->names));
@@ -43,7 +49,7 @@ class HabitatFolder {
   Result<Done> finish(const fs::path& folder) const {
     const Json all{{"config", nullptr}, {"episodes", episodes_}};
     const std::string text = all.dump(-1, ' ', false, Json::error_handler_t::replace);
-    return written({habitat_dataset_config(kScenes), {"episodes.json.gz", gzip(text)}}, folder, Done{});
+    return written({habitat_dataset_config(kScenes, with_own_), {"episodes.json.gz", gzip(text)}}, folder, Done{});
   }
 
  private:
@@ -57,10 +63,11 @@ class HabitatFolder {
 
   const ExportRequest& request_;
   std::set<std::string> stand_ins_;
+  bool with_own_ = false;  // a task is in a scene of Habitat's own
   Json episodes_ = Json::array();
 };
 
-/// `episodes.json.gz` for habitat-lab, and a scene data set with stand-ins for all models, which it names.
+/// `episodes.json.gz` for habitat-lab, and a scene data set with stand-ins for all models that are not Habitat's own.
 Result<std::string> write_habitat_files(const ExportRequest& request) {
   HabitatFolder made(request);
   const auto tasks = write_task_folder(

@@ -48,7 +48,7 @@ Result<ExportedScene> write_habitat(const Scene& scene, const Knowledge& knowled
 /// An OmniGibson scene. `pos` is the middle of an object's box, since no file tells where a model's root link is in it.
 /// `names` has each room's floor, too. Deterministic. Errors: as above.
 Result<ExportedScene> write_behavior(const Scene& scene, const Knowledge& knowledge);
-/// The same with a stand-in (habitat_assets.h) for the model of every object, and no scale.
+/// The same with an unscaled stand-in (habitat_assets.h) for the model of what is no object of a scene of Habitat's.
 Result<ExportedScene> write_habitat_with_stand_ins(const Scene& scene, const Knowledge& knowledge);
 
 /// The formats by name: ithor, procthor, virtualhome, replicacad, hssd, behavior.

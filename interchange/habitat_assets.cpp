@@ -9,6 +9,7 @@
 #include "core/digest.h"
 #include "interchange/gltf.h"
 #include "interchange/habitat_frame.h"
+#include "interchange/own_ids.h"
 #include "interchange/urdf.h"
 #include "simulation/paint.h"
 #include "simulation/shape.h"
@@ -189,13 +190,31 @@ std::vector<AssetFile> habitat_stage(const Scene& scene) {
           {"stages/" + scene.id + ".glb", write_glb(meshes)}};
 }
 
-AssetFile habitat_dataset_config(const std::string& scenes) {
-  const auto in = [](const std::string& folder) { return Json{{"paths", {{".json", {folder}}}}}; };
-  const Json config = {{"stages", in("stages")},
-                       {"objects", in("objects")},
-                       {"articulated_objects", in("urdf/*")},
-                       {"scene_instances", in(scenes)}};
+AssetFile habitat_dataset_config(const std::string& scenes, bool with_own) {
+  Json objects = {"objects"}, articulated = {{".json", {"urdf/*"}}};
+  if (with_own) {
+    for (const char* const folder : {"../replica_cad/configs/objects", "../scene_datasets/hssd-hab/objects/*"}) {
+      objects.push_back(folder);
+    }
+    articulated[".json"].push_back("../scene_datasets/hssd-hab/urdf/*");
+    articulated[".urdf"] = {"../replica_cad/urdf/*"};
+  }
+  const auto in = [](Json folders) { return Json{{"paths", {{".json", std::move(folders)}}}}; };
+  const Json config = {{"stages", in({"stages"})},
+                       {"objects", in(std::move(objects))},
+                       {"articulated_objects", {{"paths", std::move(articulated)}}},
+                       {"scene_instances", in({scenes})}};
   return {"unietp.scene_dataset_config.json", text_of(config)};
+}
+
+std::optional<std::string> habitat_own_template(const Node& node) {
+  const auto handle = own_id_of(node, Simulator::Habitat);
+  return handle ? std::optional(handle->substr(0, handle->rfind("_:"))) : std::nullopt;
+}
+
+std::string habitat_template_name(const Node& node) {
+  const auto own = habitat_own_template(node);
+  return own ? *own : habitat_stand_in_name(node);
 }
 
 }  // namespace unietp

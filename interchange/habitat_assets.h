@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,12 @@ struct AssetFile {
 /// where it has boards of its own. Nodes with equal names have equal stand-ins, but for less than a millimeter.
 std::string habitat_stand_in_name(const Node& node);
 
+/// The template of a node that is an object of the simulator's own scene ("frl_apartment_cup_:0003"); nullopt for
+/// others.
+std::optional<std::string> habitat_own_template(const Node& node);
+/// The template of a node in an exported scene: its own, or its stand-in.
+std::string habitat_template_name(const Node& node);
+
 /// The stand-in of a node: `objects/<name>.object_config.json` and `.glb`, or, for a node that opens,
 /// `urdf/<name>/<name>.ao_config.json` and `.urdf`, with one link for each door, lid or drawer. Each level surface is a
 /// receptacle for habitat-lab's samplers. In Habitat's frame, fronts along -z, the origin in the middle of the box.
@@ -29,7 +36,8 @@ std::vector<AssetFile> habitat_stand_in(const Node& node);
 std::vector<AssetFile> habitat_stage(const Scene& scene);
 
 /// `unietp.scene_dataset_config.json`: where a data set of such files has them. `scenes`: the folder of the scene
-/// instances.
-AssetFile habitat_dataset_config(const std::string& scenes);
+/// instances. `with_own`: and where Habitat's downloads put the models of ReplicaCAD and HSSD, beside the data set's
+/// folder.
+AssetFile habitat_dataset_config(const std::string& scenes, bool with_own);
 
 }  // namespace unietp

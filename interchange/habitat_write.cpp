@@ -9,6 +9,7 @@
 #include "interchange/formats.h"
 #include "interchange/habitat_assets.h"
 #include "interchange/habitat_frame.h"
+#include "scene/node_json.h"
 
 namespace unietp {
 namespace {
@@ -20,11 +21,6 @@ constexpr double kSamePart = 1e-3;  // a scale nearer to 1 is none
 Json array_of(const Vec3& v) { return Json::array({v.x(), v.y(), v.z()}); }
 Json array_of(const Quat& q) { return Json::array({q.w(), q.x(), q.y(), q.z()}); }
 Json floor_point(const Vec2& point) { return array_of(to_habitat({point.x(), point.y(), 0})); }
-
-std::string state_text(const State& state) {
-  std::string text(info(state.predicate).name);
-  return state.symbol.empty() ? text : text + "(" + state.symbol + ")";
-}
 
 class HabitatExporter {
  public:
@@ -75,8 +71,9 @@ class HabitatExporter {
   /// size in millimetres, which a user's data set has to provide.
   std::string template_of(const Node& node, Vec3& scale) {
     const Category& category = *knowledge_.find(node.category);
-    const Asset* model = stand_ins_ ? nullptr : nearest_model(node);
-    std::string name = stand_ins_ ? habitat_stand_in_name(node) : model != nullptr ? model->name : node.asset;
+    const auto own = stand_ins_ ? habitat_own_template(node) : std::nullopt;
+    const Asset* model = own ? knowledge_.asset(*own) : stand_ins_ ? nullptr : nearest_model(node);
+    std::string name = stand_ins_ ? habitat_template_name(node) : model != nullptr ? model->name : node.asset;
     Vec3 size = model != nullptr ? model->size : node.size;
     if (name.empty()) {
       name = node.category;
@@ -90,7 +87,7 @@ class HabitatExporter {
       const Json& known = at->second.at("size");
       size = Vec3(known[0].get<double>(), known[1].get<double>(), known[2].get<double>());
     }
-    scale = stand_ins_ ? Vec3(1, 1, 1) : Vec3(node.size.cwiseQuotient(size));
+    scale = stand_ins_ && model == nullptr ? Vec3(1, 1, 1) : Vec3(node.size.cwiseQuotient(size));
     return name;
   }
 
@@ -113,7 +110,7 @@ class HabitatExporter {
       instance["non_uniform_scale"] = array_of(lengths_to_habitat(scale));
     }
     Json states = Json::array();
-    for (const State& state : node.states.all()) states.push_back(state_text(state));
+    for (const State& state : node.states.all()) states.push_back(state_name(state));
     Json own = {{"name", node.id}, {"category", node.category}, {"mass", node.mass}, {"states", std::move(states)}};
     if (node.openable) own["opening"] = node.opening;
     if (node.openable) {

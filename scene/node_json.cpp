@@ -36,31 +36,6 @@ std::vector<std::string> names_where(bool (*accepts)(Predicate)) {
   return names;
 }
 
-/// "clean", "filled(water)"
-std::string state_text(const State& state) {
-  std::string text(info(state.predicate).name);
-  return state.symbol.empty() ? text : text + "(" + state.symbol + ")";
-}
-
-std::optional<State> state_from_json(JsonReader& reader, const JsonAt& at) {
-  const std::string text = reader.label(at);
-  if (reader.error()) return std::nullopt;
-  const auto bracket = text.find('(');
-  const auto predicate = predicate_named(std::string_view(text).substr(0, bracket));
-  if (!predicate || !is_node_state(*predicate)) {
-    reader.unknown_name(at, "state", names_where(is_node_state));
-    return std::nullopt;
-  }
-  const bool written = bracket != std::string::npos;
-  if (written != has_symbol(*predicate) || (written && (text.back() != ')' || text.size() - bracket < 3))) {
-    const std::string name(info(*predicate).name);
-    reader.fail(
-        at, "expected " + in_quotes(has_symbol(*predicate) ? name + "(symbol)" : name) + ", not " + in_quotes(text));
-    return std::nullopt;
-  }
-  return State{*predicate, written ? text.substr(bracket + 1, text.size() - bracket - 2) : std::string()};
-}
-
 StateSet states_from_json(JsonReader& reader, const JsonAt& at) {
   StateSet states;
   const std::size_t count = reader.items(at);
@@ -70,9 +45,9 @@ StateSet states_from_json(JsonReader& reader, const JsonAt& at) {
     if (!state) break;
     states.set(*state);
     if (states.all().size() != i + 1)
-      reader.fail(item, in_quotes(state_text(*state)) + " repeats or excludes one before");
+      reader.fail(item, in_quotes(state_name(*state)) + " repeats or excludes one before");
     if (!reader.error() && states.all().back() != *state)
-      reader.fail(item, in_quotes(state_text(*state)) + " is out of order; expected the order of docs/vocabulary.md");
+      reader.fail(item, in_quotes(state_name(*state)) + " is out of order; expected the order of docs/vocabulary.md");
   }
   return states;
 }
@@ -118,6 +93,30 @@ Archetype archetype_from_json(JsonReader& reader, const JsonAt& at) {
 
 }  // namespace
 
+std::string state_name(const State& state) {
+  std::string text(info(state.predicate).name);
+  return state.symbol.empty() ? text : text + "(" + state.symbol + ")";
+}
+
+std::optional<State> state_from_json(JsonReader& reader, const JsonAt& at) {
+  const std::string text = reader.label(at);
+  if (reader.error()) return std::nullopt;
+  const auto bracket = text.find('(');
+  const auto predicate = predicate_named(std::string_view(text).substr(0, bracket));
+  if (!predicate || !is_node_state(*predicate)) {
+    reader.unknown_name(at, "state", names_where(is_node_state));
+    return std::nullopt;
+  }
+  const bool written = bracket != std::string::npos;
+  if (written != has_symbol(*predicate) || (written && (text.back() != ')' || text.size() - bracket < 3))) {
+    const std::string name(info(*predicate).name);
+    reader.fail(
+        at, "expected " + in_quotes(has_symbol(*predicate) ? name + "(symbol)" : name) + ", not " + in_quotes(text));
+    return std::nullopt;
+  }
+  return State{*predicate, written ? text.substr(bracket + 1, text.size() - bracket - 2) : std::string()};
+}
+
 void write(JsonText& json, const Vec2& v) { write(json, {v.x(), v.y()}); }
 
 bool is_edge_relation(Predicate predicate) {
@@ -156,7 +155,7 @@ void write(JsonText& json, const Node& node) {
   }
   json.key("states");
   json.open_list();
-  for (const State& state : node.states.all()) json.value(state_text(state));
+  for (const State& state : node.states.all()) json.value(state_name(state));
   json.close_list();
   if (!node.colour.empty()) field(json, "colour", node.colour);
   if (!node.material.empty()) field(json, "material", node.material);

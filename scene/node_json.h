@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "scene/json_reader.h"
 #include "scene/json_text.h"
 #include "scene/scene.h"
@@ -12,6 +15,10 @@ void write(JsonText& json, const Vec2& v);
 void write(JsonText& json, const Node& node);
 void write(JsonText& json, const Edge& edge);
 void write(JsonText& json, const Agent& agent);
+/// A state as files have it: "clean", "filled(water)".
+std::string state_name(const State& state);
+/// The inverse of `state_name`; nullopt with an error.
+std::optional<State> state_from_json(JsonReader& reader, const JsonAt& at);
 /// The inverse of `write`.
 Node node_from_json(JsonReader& reader, const JsonAt& at);
 Edge edge_from_json(JsonReader& reader, const JsonAt& at);

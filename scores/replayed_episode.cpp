@@ -194,7 +194,7 @@ class RecordedSimulator : public ActingSimulator {
     next_ = 0;
     return Done{};
   }
-  Result<SimulatorAnswer> act(const Action& action, const Scene&) override {
+  Result<SimulatorAnswer> act(const Action& action, const Scene&, const Delta&) override {
     if (next_ < answers_.size()) return answers_[next_++];
     return Error{Error::Kind::Schema, "", {}, "the record does not have what the simulator said of " + to_text(action)};
   }

@@ -11,11 +11,15 @@ AI2-THOR's message; else null), `moved` (for each call that was repeated from an
 Exit code 1: a task did not succeed.
 
 An agent of your own: `Episode(task, house, controller)`, then `start()`, any calls of the controller with
-`observe(controller.last_event.metadata)` after each action, and `success()`.
+`observe(controller.last_event.metadata)` after each action, and `success()`. act_ai2thor.py acts out actions of ours.
+
+The environment variable AI2THOR_EXECUTABLE names a build of AI2-THOR to run in place of the one that the package downloads.
 """
 
 import argparse
 import json
+import math
+import os
 import re
 import sys
 from collections.abc import Callable, Iterator
@@ -32,6 +36,7 @@ SETTINGS: Json = {
     "rotateStepDegrees": 30,
 }
 OURS = ("near", "part")  # what our calls say that AI2-THOR's do not
+NEAR_M, NEAR_TURN = 0.02, 0.01  # an object of a floor plan that is no farther from where it is wanted is left there
 
 
 class Event(Protocol):
@@ -117,6 +122,38 @@ def inside_polygon(x: float, z: float, polygon: list[Json]) -> bool:
     return inside
 
 
+def object_poses(objects: list[Json], wanted: list[Json]) -> list[Json]:
+    """The argument of SetObjectPoses: all that can move, since it takes away what it does not name. Where a box is not
+    where it is wanted, its model is moved and turned about the vertical so that it comes there."""
+    floor = max((top(one) for one in objects if one["objectType"] == "Floor"), default=0.0)
+    places = {one["objectId"]: one for one in wanted}
+    poses = []
+    for thing in objects:
+        if not (thing["pickupable"] or thing["moveable"]):
+            continue
+        at, rotation = thing["position"], thing["rotation"]
+        if place := places.get(thing["objectId"]):
+            middle = thing["axisAlignedBoundingBox"]["center"]
+            target = {**place["center"], "y": place["center"]["y"] + floor}
+            turn = math.radians(place["rotation"]["y"] - rotation["y"])
+            if max(abs(target[axis] - middle[axis]) for axis in "xyz") > NEAR_M or abs(math.sin(turn / 2)) > NEAR_TURN:
+                x, z = at["x"] - middle["x"], at["z"] - middle["z"]
+                at = {
+                    "x": target["x"] + x * math.cos(turn) + z * math.sin(turn),
+                    "y": target["y"] + at["y"] - middle["y"],
+                    "z": target["z"] - x * math.sin(turn) + z * math.cos(turn),
+                }
+                rotation = {**rotation, "y": place["rotation"]["y"]}
+        poses.append({"objectName": thing["name"], "position": at, "rotation": rotation})
+    return poses
+
+
+def top(thing: Json) -> float:
+    """Height of the upper side of a thing's box."""
+    box = thing["axisAlignedBoundingBox"]
+    return float(box["center"]["y"] + box["size"]["y"] / 2)
+
+
 class Metadata:
     """The metadata of one event, as the tests of a task ask for it."""
 
@@ -135,8 +172,7 @@ class Metadata:
         if thing is None:
             return False
         if "room" in test:
-            place = thing["position"]
-            return inside_polygon(place["x"], place["z"], self.rooms[test["room"]])
+            return self.room_at(thing["position"]) == test["room"]
         value = thing[test["key"]]
         if "contains" in test:
             holds = any(is_part(one, test["contains"]) for one in value or [])
@@ -145,11 +181,13 @@ class Metadata:
             return any(self.objects.get(one, {}).get("objectType") == test["containsType"] for one in value or [])
         return bool(value == test["equals"])
 
+    def room_at(self, position: Json) -> str | None:
+        """The house's id of the room that a place is in."""
+        return next((room for room, floor in self.rooms.items() if inside_polygon(position["x"], position["z"], floor)), None)
+
     def is_above(self, thing: Json, place: str) -> bool:
         """Whether the middle of a thing is over the top of a place."""
-        box = self.objects[place]["axisAlignedBoundingBox"]
-        middle: float = thing["axisAlignedBoundingBox"]["center"]["y"]
-        return bool(middle > box["center"]["y"] + box["size"]["y"] / 2)
+        return bool(thing["axisAlignedBoundingBox"]["center"]["y"] > top(self.objects[place]))
 
     def part_of(self, whole: str, kind: str) -> str:
         """The part of an object that is of this type; the object itself when it has none."""
@@ -167,18 +205,20 @@ class Episode:
         self.failed: Json | None = None
         self.moved: list[int] = []
         self._calls = 0
+        self._height: float | None = None  # of the agent in a floor plan, where it is other than in houses
 
     def start(self) -> bool:
         """Builds the house and brings the start about; False when a call failed."""
-        self.controller.reset(scene=self.house)
+        self.controller.reset(scene=self.house.get("scene", self.house))
         built = self._succeeded()
         if not built:
             self._fail("start", {"action": "CreateHouse"}, self._message())
+        self._height = self.controller.last_event.metadata["agent"]["position"]["y"] if "scene" in self.house else None
         agent = {"action": "Teleport", **self.house["metadata"]["agent"]}
         for one in [{"call": agent}, *self.task["start"]] if built else []:
-            if "unless" in one and self._now().passes(one["unless"]):
+            if "unless" in one and self.now().passes(one["unless"]):
                 continue
-            if not self._call("start", one["call"]):
+            if not self.call("start", one["call"]):
                 break
         if self.failed is None:
             self.observe(self.controller.last_event.metadata)
@@ -187,7 +227,7 @@ class Episode:
     def follow_plan(self) -> Iterator[str]:
         """Makes the calls of the demonstration, and gives each step that was made. Ends at a call that fails."""
         for step in self.task["plan"]:
-            if not all(self._call(step["step"], call) for call in step["calls"]):
+            if not all(self.call(step["step"], call) for call in step["calls"]):
                 return
             self.observe(self.controller.last_event.metadata)
             yield step["step"]
@@ -212,7 +252,7 @@ class Episode:
             if value != (name in holding) and name not in pieces
         ]
 
-    def _now(self) -> Metadata:
+    def now(self) -> Metadata:
         return Metadata(self.controller.last_event.metadata, self.house)
 
     def _succeeded(self) -> bool:
@@ -232,13 +272,17 @@ class Episode:
             return str(error)
         return None if self._succeeded() else self._message()
 
-    def _call(self, step: str, call: Json) -> bool:
+    def call(self, step: str, call: Json) -> bool:
         """Makes a call; where it fails for an object, once more from the nearest pose at which AI2-THOR lets the agent
         handle that object. A Teleport that fails is replaced by that pose."""
         self._calls += 1
         arguments = {key: value for key, value in call.items() if key not in OURS}
+        if "objectPoses" in call:
+            arguments["objectPoses"] = object_poses(self.controller.last_event.metadata["objects"], call["objectPoses"])
+        if self._height is not None and "position" in call:
+            arguments["position"] = {**call["position"], "y": self._height}
         if "part" in call:
-            arguments["objectId"] = self._now().part_of(call["objectId"], call["part"])
+            arguments["objectId"] = self.now().part_of(call["objectId"], call["part"])
         message = self._step(arguments)
         if message is not None:
             if step != "start" and self._stand_elsewhere(arguments, call.get("near", arguments.get("objectId"))):
@@ -267,6 +311,15 @@ class Episode:
         )
 
 
+def start_controller() -> Controller:
+    """AI2-THOR's own, with the process of Unity that it starts."""
+    from ai2thor.controller import Controller as Theirs
+
+    executable = os.environ.get("AI2THOR_EXECUTABLE")
+    controller: Controller = Theirs(**SETTINGS, **({"local_executable_path": executable} if executable else {}))
+    return controller
+
+
 def run(task: Json, house: Json, controller: Controller) -> Json:
     """One task's line of the output."""
     episode = Episode(task, house, controller)
@@ -290,8 +343,8 @@ def read_task(folder: Path, name: str) -> tuple[Json, Json]:
     return task, house
 
 
-def main(arguments: list[str] | None = None, make: Callable[..., Controller] | None = None) -> int:
-    """`make` makes the controller, with its settings as keyword arguments; by default AI2-THOR's."""
+def main(arguments: list[str] | None = None, make: Callable[[], Controller] = start_controller) -> int:
+    """`make` makes the controller."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").split("\n")[0])
     parser.add_argument("folder", type=Path, help="of unietp export --format ai2thor")
     parser.add_argument("task", nargs="*", help="ids of tasks (default: all)")
@@ -300,11 +353,7 @@ def main(arguments: list[str] | None = None, make: Callable[..., Controller] | N
     names = chosen.task or sorted(
         one.stem for one in chosen.folder.glob("*.json") if not one.name.endswith(".house.json")
     )
-    if make is None:
-        from ai2thor.controller import Controller as Theirs
-
-        make = Theirs
-    controller: Controller = make(**SETTINGS)
+    controller = make()
     succeeded = 0
     with chosen.out.open("w") as out:
         for name in names:

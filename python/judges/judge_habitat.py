@@ -2,8 +2,8 @@
 
 habitat-lab must load every episode. Each scene and each model that an episode names must be there: trimesh reads the meshes,
 which must have the size that the scene states, yourdfpy the articulated furniture, whose joints must be those that the
-episode sets. Every target must be a movable object of the episode. The simulator itself (habitat-sim) is in no package index,
-so nothing is simulated.
+episode sets. Every target must be a movable object of the episode. No package index has a wheel of the simulator itself
+(habitat-sim) that runs on Debian 12, so nothing is simulated.
 
 Exit code 1: an episode is not loaded, or names something that is not there or has another size.
 """

@@ -1,14 +1,20 @@
 """Independent planners on the PDDL of a data set, for `checks/judges planners`.
 
-Fast Downward (up-fast-downward) must find a plan for each problem. For each N-th problem unified-planning's simulator must
-accept that plan and the stored one, and refuse the stored one without any one of its steps. That takes half a minute a
-problem or more, because it writes out every conditional effect in Python.
+For each problem Fast Downward (up-fast-downward) grounds the task; in what it makes of it (sas_task.py) the stored plan must
+reach the goal, and not without any one of its steps. Then it must find a plan itself, with the first search of LAMA. Each N-th
+of these is acted out once more by unified-planning's simulator, which reads the PDDL with a parser of its own; that takes half
+a minute a problem or more, because it writes out every conditional effect in Python.
 
-The rows of OUT.csv are sorted by task and do not depend on the machine, except where Fast Downward runs out of time.
-Exit code 1: a problem was not solved, or a plan was judged otherwise than it should be.
+OUT.csv gets a row as soon as a problem is judged, and a later call goes on with the others. Problems come in an order that
+has nothing to do with what they are, so that those judged so far are a fair sample. The rows do not depend on the machine,
+except where Fast Downward runs out of time.
+
+Exit code 1: a problem was not grounded or solved, or a plan was judged otherwise than it should be.
 """
 
 import argparse
+import csv
+import hashlib
 import subprocess
 import sys
 import tempfile
@@ -21,106 +27,129 @@ from unified_planning.engines import UPSequentialSimulator
 from unified_planning.io import PDDLReader
 
 from report import finish
+from sas_task import SasTask, actions_of, holds
 
 warnings.filterwarnings("ignore", module="unified_planning")
 DOWNWARD = Path(up_fast_downward.__file__).parent / "downward" / "fast-downward.py"
+SPARE = ("note", "judge")  # the monitors' actions at the end of a plan may be none that its goal needs
+COLUMNS = ("task", "grounded", "stored_steps", "stored_valid", "steps_not_needed", "solved", "solution_steps", "solution_valid",
+           "unified_planning")  # fmt: skip
 
 
-def solve(domain, problem, seconds):
-    """The text of a plan by Fast Downward's lazy greedy search with the FF heuristic, or the reason why there is none."""
+def downward(folder, *arguments):
+    """Fast Downward in a folder; why it did not do it, "" where it did."""
+    done = subprocess.run([sys.executable, DOWNWARD, *arguments], cwd=folder, capture_output=True, text=True)
+    return "" if done.returncode == 0 else f"exit code {done.returncode}"
+
+
+def judged_by_downward(problem, seconds):
+    """The columns of a row up to `solution_valid`, and the text of the plan that was found."""
+    row = {"task": problem.stem}
     with tempfile.TemporaryDirectory() as folder:
-        plan = Path(folder) / "plan"
-        command = [sys.executable, DOWNWARD, "--overall-time-limit", str(seconds), "--plan-file", plan, domain, problem]
-        command += ["--search", "lazy_greedy([ff()], preferred=[ff()])"]
-        done = subprocess.run(command, capture_output=True, text=True)
-        if plan.exists():
-            return plan.read_text(), ""
-        return None, f"exit code {done.returncode}"
+        inputs = [problem.with_name("domain.pddl").resolve(), problem.resolve()]
+        failed = downward(folder, "--translate", "--translate-time-limit", str(seconds), *inputs)
+        row["grounded"] = failed or "yes"
+        if failed:
+            return row, None
+        task = SasTask(Path(folder) / "output.sas")
+        stored = list(actions_of(problem.with_suffix(".plan").read_text()))
+        states = task.states(stored)
+        valid = len(states) == len(stored) + 1 and holds(task.goal, states[-1])
+        spare = [
+            f"{left_out}:{stored[left_out].split()[0]}"
+            for left_out in range(len(stored) if valid else 0)
+            if task.reaches(stored[left_out + 1 :], states[left_out])
+        ]
+        row["stored_steps"] = len(stored)
+        row["stored_valid"] = "yes" if valid else f"no, it stops before step {len(states)}"
+        row["steps_not_needed"] = " ".join(spare)
+        failed = downward(folder, "--search-time-limit", str(seconds), "--alias", "lama-first", "output.sas")
+        plan = Path(folder) / "sas_plan"
+        text = plan.read_text() if plan.exists() else None
+        row["solved"] = "yes" if text else failed
+        if text:
+            found = list(actions_of(text))
+            row |= {"solution_steps": len(found), "solution_valid": "yes" if task.reaches(found) else "no"}
+        return row, text
 
 
-class Judge:
-    """Acts out plans of one problem in unified-planning's simulator."""
-
-    def __init__(self, domain, problem):
-        reader = PDDLReader()
-        self.problem = reader.parse_problem(str(domain), str(problem))
-        self.simulator = UPSequentialSimulator(self.problem, error_on_failed_checks=False)
-        self.reader = reader
-
-    def plan(self, text):
-        return self.reader.parse_plan_string(self.problem, text).actions
-
-    def states(self, actions, state=None):
-        """The state before each action and after the last; shorter where an action cannot be done."""
-        states = [state or self.simulator.get_initial_state()]
-        for action in actions:
-            after = self.simulator.apply(states[-1], action.action, action.actual_parameters)
-            if after is None:
-                break
-            states.append(after)
-        return states
-
-    def reaches(self, actions, state=None):
-        states = self.states(actions, state)
-        return len(states) == len(actions) + 1 and self.simulator.is_goal(states[-1])
+def accepted_by_unified_planning(problem, text):
+    """Whether its simulator reaches the goal with a plan."""
+    reader = PDDLReader()
+    parsed = reader.parse_problem(str(problem.with_name("domain.pddl")), str(problem))
+    simulator = UPSequentialSimulator(parsed, error_on_failed_checks=False)
+    state = simulator.get_initial_state()
+    for action in reader.parse_plan_string(parsed, text).actions:
+        state = simulator.apply(state, action.action, action.actual_parameters)
+        if state is None:
+            return False
+    return simulator.is_goal(state)
 
 
-def solved_row(problem, seconds):
-    """What Fast Downward says of a task's problem, and its plan."""
-    text, reason = solve(problem.with_name("domain.pddl"), problem, seconds)
-    steps = sum(line.startswith("(") for line in text.splitlines()) if text else ""
-    return {"task": problem.stem, "solved": "yes" if text else reason, "solution_steps": steps}, text
+def judge(problem, seconds, by_unified_planning):
+    row, found = judged_by_downward(problem, seconds)
+    if by_unified_planning:
+        plans = {"stored": problem.with_suffix(".plan").read_text(), "found": found}
+        refused = [name for name, text in plans.items() if text and not accepted_by_unified_planning(problem, text)]
+        row["unified_planning"] = "refuses " + " and ".join(refused) if refused else "yes"
+    return row
 
 
-def acted_row(problem, text):
-    """What unified-planning's simulator says of Fast Downward's plan, of the stored one, and of that without a step."""
-    judge = Judge(problem.with_name("domain.pddl"), problem)
-    stored = judge.plan(problem.with_suffix(".plan").read_text())
-    states = judge.states(stored)
-    valid = len(states) == len(stored) + 1 and judge.simulator.is_goal(states[-1])
-    spare = [
-        f"{left_out}:{stored[left_out].action.name}"
-        for left_out in range(len(stored) if valid else 0)
-        if judge.reaches(stored[left_out + 1 :], states[left_out])
-    ]
-    return {
-        "solution_valid": "" if text is None else "yes" if judge.reaches(judge.plan(text)) else "no",
-        "stored_steps": len(stored),
-        "stored_valid": "yes" if valid else f"no, it stops before step {len(states)}",
-        "steps_not_needed": " ".join(spare),
-    }
+def needed(row):
+    """How many of a plan's steps must be rejected when they are left out, and are."""
+    spare = [step for step in row["steps_not_needed"].split() if step.split(":")[1] not in SPARE]
+    return int(row["stored_steps"]) - len(row["steps_not_needed"].split()), len(spare)
 
 
 def is_right(row):
-    valid = row.get("solution_valid", "yes") == row.get("stored_valid", "yes") == "yes"
-    return row["solved"] == "yes" and valid and not row.get("steps_not_needed")
+    plans = [row.get(name) or "yes" for name in ("stored_valid", "solution_valid", "unified_planning")]
+    return row["grounded"] == row["solved"] == "yes" and set(plans) == {"yes"} and needed(row)[1] == 0
+
+
+def read_rows(out):
+    if not out.exists():
+        return []
+    with out.open(newline="") as file:
+        return list(csv.DictReader(file))
 
 
 def main():
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("folder", type=Path, help="what `unietp export --format pddl` wrote")
-    options.add_argument("out", type=Path, help="a CSV file to write")
-    options.add_argument("--only", type=int, default=1, metavar="N", help="solve only each N-th problem")
-    options.add_argument("--acted", type=int, default=40, metavar="N", help="act out the plans of each N-th problem solved")
-    options.add_argument("--seconds", type=int, default=120, help="the time that Fast Downward has for a problem")
+    options.add_argument("out", type=Path, help="a CSV file to write, or to go on with")
+    options.add_argument("--acted", type=int, default=40, metavar="N", help="unified-planning acts out the plans of each N-th")
+    options.add_argument("--seconds", type=int, default=60, help="of the processor, for grounding and for searching")
     options = options.parse_args()
-    problems = sorted(path for path in options.folder.glob("*/*.pddl") if path.stem != "domain")[:: options.only]
-    rows = []
-    for number, problem in enumerate(problems):
-        row, text = solved_row(problem, options.seconds)
-        rows.append(row | (acted_row(problem, text) if number % options.acted == 0 else {}))
-        print(f"\r{number + 1} of {len(problems)}", end="", file=sys.stderr, flush=True)
+    problems = [path for path in options.folder.glob("*/*.pddl") if path.stem != "domain"]
+    problems.sort(key=lambda path: hashlib.sha256(path.stem.encode()).digest())
+    done = {row["task"] for row in read_rows(options.out)}
+    with options.out.open("a", newline="") as file:
+        rows = csv.DictWriter(file, COLUMNS, restval="", lineterminator="\n")
+        if not done:
+            rows.writeheader()
+        for number, problem in enumerate(problems):
+            if problem.stem in done:
+                continue
+            rows.writerow(judge(problem, options.seconds, number % options.acted == 0))
+            file.flush()
+            print(f"\r{number + 1} of {len(problems)}", end="", file=sys.stderr, flush=True)
     print(file=sys.stderr)
-    acted = [row for row in rows if "stored_steps" in row]
-    spare = Counter(step.split(":")[1] for row in acted for step in row["steps_not_needed"].split())
-    steps = sum(row["stored_steps"] for row in acted)
-    finish(
-        rows,
-        options.out,
-        f"Fast Downward solves {sum(row['solved'] == 'yes' for row in rows)} of {len(rows)} problems\n"
-        f"unified-planning accepts the stored plan of {sum(row['stored_valid'] == 'yes' for row in acted)} of {len(acted)}\n"
-        f"and refuses {steps - sum(spare.values())} of {steps} plans that lack a step; the others lack {dict(spare)}",
-        is_right,
+    here = {path.stem for path in problems}
+    rows = sorted((row for row in read_rows(options.out) if row["task"] in here), key=lambda row: row["task"])
+    finish(rows, options.out, summary(rows), is_right)
+
+
+def summary(rows):
+    grounded = [row for row in rows if row["grounded"] == "yes"]
+    acted = [row for row in rows if row["unified_planning"]]
+    spare = Counter(step.split(":")[1] for row in grounded for step in row["steps_not_needed"].split())
+    return (
+        f"Fast Downward grounds {len(grounded)} of {len(rows)} problems, and solves "
+        f"{sum(row['solved'] == 'yes' for row in rows)}\n"
+        f"it accepts the stored plan of {sum(row['stored_valid'] == 'yes' for row in grounded)} of {len(grounded)}, and "
+        f"refuses {sum(needed(row)[0] for row in grounded)} of {sum(int(row['stored_steps']) for row in grounded)} plans that "
+        f"lack a step; the others lack {dict(spare)}\n"
+        f"unified-planning accepts the plans of {sum(row['unified_planning'] == 'yes' for row in acted)} of {len(acted)}"
     )
 
 

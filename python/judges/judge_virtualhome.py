@@ -4,12 +4,17 @@ The simulator must execute each program (the demonstration in M1) in the graph o
 object that the demonstration changed must be on or in what it is on or in at the end of our physics, and be open, closed, on
 or off as it is there.
 
+With the table of what objects of each class can do in Unity (`properties_data_unity.json` of VirtualHome), a column tells what a
+program asks of a class that the table denies. Our tasks go by both worlds of VirtualHome, of which the one of scripts knows,
+for example, that a washing machine opens; so this is counted, and no fault.
+
 Exit code 1: a program was not executed, or an object ended otherwise.
 """
 
 import argparse
 import importlib.util
 import json
+import re
 import sys
 from collections import Counter
 from pathlib import Path
@@ -25,6 +30,10 @@ from evolving_graph.scripts import read_script_from_list_string  # noqa: E402
 
 STATES = {"open": "OPEN", "closed": "CLOSED", "power_on": "ON", "power_off": "OFF"}
 RELATIONS = {"on": "ON", "inside": "INSIDE"}
+# What Unity's actions need of their object, as VirtualHome's documentation of its Unity simulator says.
+NEEDS = {"Grab": "GRABBABLE", "PutBack": "SURFACES", "PutIn": "CONTAINERS", "Open": "CAN_OPEN", "Close": "CAN_OPEN",
+         "SwitchOn": "HAS_SWITCH", "SwitchOff": "HAS_SWITCH", "Sit": "SITTABLE"}  # fmt: skip
+LINE = re.compile(r"\[(\w+)\](?: <[^>]+> \(\d+\))*? <([^>]+)> \(\d+\)$")  # an action and the last object that it names
 
 
 def ours_at_the_end(dataset, task, numbers):
@@ -55,7 +64,14 @@ def theirs_at_the_end(graph, things, known):
     return facts
 
 
-def judge(dataset, folder, task):
+def denied_by_unity(lines, table):
+    """Actions with classes that have not the property of the table which the action needs."""
+    acts = [found.groups() for found in map(LINE.match, lines) if found]
+    denied = [f"{word} {name}" for word, name in acts if word in NEEDS and NEEDS[word] not in table.get(name.replace("_", ""), ())]
+    return list(dict.fromkeys(denied))
+
+
+def judge(dataset, folder, task, table):
     """One row: whether the program of a task runs, and in what its end differs from ours."""
     graph = json.loads((folder / f"{task}.json").read_text())
     names = json.loads((folder / f"{task}.names.json").read_text())
@@ -64,6 +80,8 @@ def judge(dataset, folder, task):
     executor = ScriptExecutor(EnvironmentGraph(graph), {})
     done, _, graphs = executor.execute(read_script_from_list_string(lines), w_graph_list=True)
     row = {"task": task, "lines": len(lines), "executed": "yes" if done else executor.info.get_error_string()}
+    if table is not None:
+        row["denied_by_unity"] = "; ".join(denied_by_unity(lines, table))
     if not done:
         return row | {"end": "", "differs": ""}
     ours, things, carried = ours_at_the_end(dataset, task, numbers)
@@ -80,14 +98,20 @@ def main():
     options.add_argument("dataset", type=Path)
     options.add_argument("folder", type=Path, help="what `unietp export --format virtualhome` wrote")
     options.add_argument("out", type=Path, help="a CSV file to write")
+    options.add_argument("--unity", type=Path, metavar="FILE", help="properties_data_unity.json of VirtualHome")
     options = options.parse_args()
+    table = json.loads(options.unity.read_text()) if options.unity else None
     dataset = unietp.load_dataset(options.dataset)
-    rows = [judge(dataset, options.folder, program.stem) for program in sorted(options.folder.glob("*.txt"))]
+    rows = [judge(dataset, options.folder, program.stem, table) for program in sorted(options.folder.glob("*.txt"))]
     ends = Counter(row["end"] for row in rows if row["executed"] == "yes")
+    denied = Counter(pair for row in rows for pair in row.get("denied_by_unity", "").split("; ") if pair)
+    allowed = "" if table is None else (
+        f"\nUnity's table allows {sum(not row['denied_by_unity'] for row in rows)} of them; it denies {dict(denied.most_common())}"
+    )
     finish(
         rows,
         options.out,
-        f"VirtualHome's graph simulator executes {sum(ends.values())} of {len(rows)} programs; their ends: {dict(ends)}",
+        f"VirtualHome's graph simulator executes {sum(ends.values())} of {len(rows)} programs; their ends: {dict(ends)}{allowed}",
         lambda row: row["end"] in ("equal", "carried things forgotten"),
     )
 

@@ -9,6 +9,8 @@ import pytest
 
 import unietp
 
+sys.path.insert(0, str(Path(__file__).parents[1] / "adapters"))  # whose programs import each other
+
 MODES = ("M1", "M2", "M3")
 
 

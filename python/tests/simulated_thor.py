@@ -4,7 +4,7 @@ AI2-THOR's documentation says. It has no geometry but the children of the house 
 from __future__ import annotations
 
 import copy
-from typing import Any
+from typing import Any, ClassVar
 
 Json = dict[str, Any]
 
@@ -27,7 +27,9 @@ class Event:
 
 
 class SimulatedThor:
-    """`reset` with a house, then `step`, as `ai2thor.controller.Controller` has them."""
+    """`reset` with a house or a floor plan, then `step`, as `ai2thor.controller.Controller` has them."""
+
+    recorded: ClassVar[dict[str, Json]] = {}  # metadata of floor plans by name
 
     def __init__(self, **settings: Any):
         self.settings = settings
@@ -39,6 +41,11 @@ class SimulatedThor:
 
     def reset(self, scene: Any = None) -> Event:
         self.objects, self.held, self.agent = {}, None, {"position": {"x": 0.0, "y": 0.9, "z": 0.0}}
+        if isinstance(scene, str):
+            for one in copy.deepcopy(self.recorded[scene])["objects"]:
+                kept = {"pickupable": one["mass"] > 0, "moveable": False, **FLAGS}
+                self.objects[one["objectId"]] = {**kept, **one, "parentReceptacles": one["parentReceptacles"] or []}
+            return self._event(None)
         for room in scene["rooms"]:
             self._add(room["id"], "Floor", {"x": 0.0, "y": 0.0, "z": 0.0}, [])
         for one in scene["objects"]:
@@ -49,7 +56,7 @@ class SimulatedThor:
         self.calls.append({"action": action, **arguments})
         unknown = set(arguments) - {
             "objectId", "forceAction", "placeStationary", "openness", "fillLiquid", "position", "rotation", "horizon",
-            "standing", "allowDecayTemperature", "standings", "x", "y", "z",
+            "standing", "allowDecayTemperature", "standings", "x", "y", "z", "objectPoses",
         }
         if unknown:
             raise ValueError(f"{action}: unknown arguments {sorted(unknown)}")
@@ -117,6 +124,34 @@ class SimulatedThor:
     def _CreateHouse(self, **_: Any) -> None: ...
 
     def _SetDecayTemperatureBool(self, allowDecayTemperature: bool) -> None: ...
+
+    def _SetObjectPoses(self, objectPoses: list[Json]) -> str | None:
+        poses = {one["objectName"]: one for one in objectPoses}
+        for name, thing in list(self.objects.items()):
+            if not (thing["pickupable"] or thing["moveable"]):
+                continue
+            if thing["name"] not in poses:
+                del self.objects[name]  # as AI2-THOR does
+                continue
+            pose = poses[thing["name"]]
+            center = thing["axisAlignedBoundingBox"]["center"]
+            for axis in "xyz":  # the box goes along with the model; turned ones are of equal width and depth here
+                center[axis] += pose["position"][axis] - thing["position"][axis]
+            thing["position"], thing["rotation"] = dict(pose["position"]), dict(pose["rotation"])
+            thing["parentReceptacles"] = self._under(thing)
+        return None
+
+    def _under(self, thing: Json) -> list[str]:
+        """What a thing has come to rest on: the highest box whose upper side is at its lower one."""
+        box = thing["axisAlignedBoundingBox"]
+        bottom = box["center"]["y"] - box["size"]["y"] / 2
+        places = []
+        for other in self.objects.values():
+            at, size = (other["axisAlignedBoundingBox"][key] for key in ("center", "size"))
+            inside = all(abs(box["center"][axis] - at[axis]) <= size[axis] / 2 for axis in "xz")
+            if other is not thing and inside and abs(at["y"] + size["y"] / 2 - bottom) < 0.05:
+                places.append(other["objectId"])
+        return places or list(thing["parentReceptacles"])
 
     def _Teleport(self, position: Json, rotation: Json, horizon: float, standing: bool) -> str | None:
         self.agent = {"position": dict(position), "rotation": dict(rotation), "cameraHorizon": horizon}

@@ -1,30 +1,19 @@
 """The runner of tasks for AI2-THOR, against a stand-in for its controller."""
 
 import copy
-import importlib.util
 import json
-import subprocess
+import os
 import sys
 from pathlib import Path
-from types import ModuleType
 
 import pytest
-from simulated_thor import Event, SimulatedThor
+import run_ai2thor as runner
+from simulated_thor import SimulatedThor
 
 from unietp.program import run_program
 
 PYTHON = Path(__file__).parents[1]
 HOUSES = PYTHON.parent / "tests" / "end_to_end" / "homes" / "houses.procthor.jsonl"
-
-
-def load_runner() -> ModuleType:
-    spec = importlib.util.spec_from_file_location("run_ai2thor", PYTHON / "adapters" / "run_ai2thor.py")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
-runner = load_runner()
 
 
 @pytest.fixture(scope="module")
@@ -142,54 +131,14 @@ def test_a_difference_from_our_physics_is_told(tasks):
     pytest.fail("no plan puts something where it is asked for")
 
 
-class Server:
-    """The stand-in behind AI2-THOR's own controller, in the place of the process of Unity."""
-
-    server_type = "FIFO"
-    unity_proc = None
-    started = False
-
-    def __init__(self):
-        self.simulated = SimulatedThor()
-        self.event = self.answer()
-
-    def start(self):
-        self.started = True
-
-    def stop(self): ...
-
-    def set_init_params(self, parameters): ...
-
-    @staticmethod
-    def answer(**metadata):
-        state = {"lastActionSuccess": True, "errorMessage": "", "errorCode": "", "sceneName": "Procedural"}
-        return Event({**state, "actionReturn": None, **metadata})
-
-    def send(self, action):
-        arguments = {key: value for key, value in action.items() if key not in ("action", "sequenceId")}
-        if action["action"] == "GetScenesInBuild":
-            self.event = self.answer(actionReturn=["FloorPlan1_physics"])
-        elif action["action"] in ("Reset", "Initialize"):
-            self.event = self.answer()
-        elif action["action"] == "CreateHouse":
-            self.event = self.answer(**self.simulated.reset(action["house"]).metadata)
-        else:
-            self.event = self.answer(**self.simulated.step(action["action"], **arguments).metadata)
-
-    def receive(self, timeout=None):
-        return self.event
-
-
 def test_the_controller_of_the_package_takes_the_calls(tasks, tmp_path, monkeypatch):
-    """Needs the package ai2thor 5.0.0, which is no requirement of the tests."""
-    module = pytest.importorskip("ai2thor.controller")
-    monkeypatch.setattr(module.Controller, "_build_server", lambda self, *_: setattr(self, "server", Server()))
-
-    def make(**settings):
-        return module.Controller(start_unity=False, **settings)
-
+    """Needs the package ai2thor 5.0.0, which is no requirement of the tests. It starts the stand-in in the place of Unity."""
+    pytest.importorskip("ai2thor.controller")
+    monkeypatch.setenv("AI2THOR_EXECUTABLE", str(Path(__file__).with_name("thor_process.py")))
+    monkeypatch.setenv("DISPLAY", ":0")  # which is only handed on
+    monkeypatch.setenv("PATH", f"{Path(sys.executable).parent}:{os.environ['PATH']}")
     out = tmp_path / "results.jsonl"
-    assert runner.main([str(tasks), "--out", str(out)], make) == 0
+    assert runner.main([str(tasks), "--out", str(out)]) == 0
     assert all(json.loads(line)["success"] for line in out.read_text().splitlines())
 
 
@@ -214,12 +163,56 @@ def test_what_is_no_formula_is_refused():
         runner.read_formula("a -> b")
 
 
-def test_the_runner_agrees_with_its_types(tmp_path):
-    pytest.importorskip("mypy")
-    configuration = PYTHON.parent / "pyproject.toml"
-    done = subprocess.run(
-        [sys.executable, "-m", "mypy", "--config-file", configuration, "--cache-dir", tmp_path / "cache",
-         PYTHON / "adapters" / "run_ai2thor.py"],
-        cwd=tmp_path, capture_output=True, text=True,
-    )
-    assert done.returncode == 0, done.stdout + done.stderr
+KITCHEN = HOUSES.with_name("kitchen.ithor.json")
+
+
+@pytest.fixture(scope="module")
+def floor_plans(tmp_path_factory) -> Path:
+    """Tasks in a floor plan of iTHOR, exported; their objects do not all start where they are in the floor plan."""
+    folder = tmp_path_factory.mktemp("floor_plans")
+    for arguments in (
+        ["generate", "--native", "--scenes", KITCHEN, "--count", 6, "--seed", 5, "--out", folder / "tasks"],
+        ["export", folder / "tasks", "--format", "ai2thor", "--out", folder / "out"],
+    ):
+        run_program(*map(str, arguments))
+    return folder / "out"
+
+
+class FloorPlans(SimulatedThor):
+    recorded = {"FloorPlan9": json.loads(KITCHEN.read_text())}
+
+
+def test_a_floor_plan_is_loaded_by_its_name_and_nothing_is_lost(floor_plans, tmp_path):
+    out = tmp_path / "results.jsonl"
+    assert runner.main([str(floor_plans), "--out", str(out)], FloorPlans) == 0
+    lines = [json.loads(line) for line in out.read_text().splitlines()]
+    assert len(lines) == 6
+    assert all(line["success"] and not line["differences"] for line in lines), lines
+    moved = 0
+    for name in names_in(floor_plans):
+        task, house = runner.read_task(floor_plans, name)
+        thor = FloorPlans()
+        assert house["scene"] == "FloorPlan9" and runner.Episode(task, house, thor).start()
+        recorded = {one["objectId"]: one for one in FloorPlans.recorded["FloorPlan9"]["objects"]}
+        assert set(thor.objects) == set(recorded)
+        wanted = next(one["call"]["objectPoses"] for one in task["start"] if "objectPoses" in one["call"])
+        assert len(wanted) == 5
+        for one in wanted:
+            now = thor.objects[one["objectId"]]["axisAlignedBoundingBox"]["center"]
+            assert all(abs(now[axis] - one["center"][axis]) <= runner.NEAR_M for axis in "xyz")
+            moved += thor.objects[one["objectId"]]["position"] != recorded[one["objectId"]]["position"]
+    assert moved > 0, "some are elsewhere than in the floor plan"
+
+
+def test_a_model_turns_about_the_middle_of_its_box():
+    thing = {
+        "objectId": "Mug|1", "objectType": "Mug", "name": "Mug_1", "pickupable": True, "moveable": False,
+        "position": {"x": 1.1, "y": 0.9, "z": 0.0}, "rotation": {"x": 0.0, "y": 0.0, "z": 0.0},
+        "axisAlignedBoundingBox": {"center": {"x": 1.0, "y": 1.0, "z": 0.0}, "size": {"x": 0.1, "y": 0.2, "z": 0.1}},
+    }  # fmt: skip
+    place = {"objectId": "Mug|1", "center": {"x": 3.0, "y": 1.0, "z": 2.0}, "rotation": {"x": 0.0, "y": 90.0, "z": 0.0}}
+    (pose,) = runner.object_poses([thing], [place])
+    assert pose["objectName"] == "Mug_1" and pose["rotation"]["y"] == 90.0
+    assert pose["position"] == pytest.approx({"x": 3.0, "y": 0.9, "z": 1.9}), "its handle, once to +x, is now to -z"
+    (kept,) = runner.object_poses([thing], [{**place, "center": {"x": 1.0, "y": 1.0, "z": 0.0}, "rotation": thing["rotation"]}])
+    assert kept["position"] is thing["position"]

@@ -9,6 +9,7 @@
 #include "core/text.h"
 #include "data_set.h"
 #include "program.h"
+#include "schema_checker.h"
 
 namespace unietp {
 namespace {
@@ -57,6 +58,59 @@ TEST_P(Native, TasksAreInTheSimulatorsOwnSceneAndItsFormExpressesThem) {
   for (const auto& id : sample.ids) EXPECT_TRUE(ids.contains(id)) << id;
   ASSERT_EQ(run_program({"export", folder.at("tasks"), "--format", sample.form, "--out", folder.at("out")}).code, 0);
   EXPECT_EQ(read_file(folder.at("out") + "/left_out.jsonl").value(), "");
+}
+
+/// Exports tasks that are made in a scene of a simulator.
+fs::path exported(const NativeSample& sample, const ScratchFolder& folder) {
+  EXPECT_EQ(make_native((kScenes / sample.file).string(), folder.at("tasks"), 3).code, 0);
+  EXPECT_EQ(run_program({"export", folder.at("tasks"), "--format", sample.form, "--out", folder.at("out")}).code, 0);
+  EXPECT_EQ(read_file(folder.at("out") + "/left_out.jsonl").value(), "");
+  return folder.at("out");
+}
+
+TEST(Native, AFloorPlanIsNamedAndAllOfItKeepsItsIds) {
+  const ScratchFolder folder;
+  const fs::path out = exported({"ai2thor", "kitchen.ithor.json", "ai2thor", {}}, folder);
+  const Json plan = Json::parse(read_file(kScenes / "kitchen.ithor.json").value());
+  std::set<std::string> ids;
+  for (const auto& object : plan["objects"]) ids.insert(object["objectId"].get<std::string>());
+  for (const auto& line : json_lines(fs::path(folder.at("tasks")) / "tasks.jsonl")) {
+    const auto task = line["id"].get<std::string>();
+    const Json house = Json::parse(read_file(out / (task + ".house.json")).value());
+    EXPECT_EQ(house["scene"], "FloorPlan9");
+    EXPECT_EQ(house["rooms"].size(), 1U);
+    EXPECT_FALSE(house.contains("objects"));
+    const Json json = Json::parse(read_file(out / (task + ".json")).value());
+    for (const auto& [ours, theirs] : json["objects"].items()) {
+      EXPECT_TRUE(ids.contains(theirs.get<std::string>()) ||
+                  theirs.get<std::string>().find("Sliced_") != std::string::npos);
+    }
+    EXPECT_EQ(SchemaChecker().check(json, "ai2thor.schema.json"), "") << task;
+    EXPECT_EQ(json["start"][0]["call"]["action"], "SetObjectPoses");
+    EXPECT_EQ(json["start"][0]["call"]["objectPoses"].size(), 5U) << "what can move";
+  }
+}
+
+TEST(Native, HabitatsOwnObjectsAreNamedByTheirTemplates) {
+  const ScratchFolder folder;
+  const fs::path out = exported({"habitat", "apartment.replicacad.scene_instance.json", "habitat", {}}, folder);
+  const auto text = read_maybe_gzip(out / "episodes.json.gz");
+  ASSERT_TRUE(text);
+  int own = 0;
+  for (const auto& episode : Json::parse(*text)["episodes"]) {
+    for (const auto& object : episode["rigid_objs"]) {
+      const auto name = object[0].get<std::string>();
+      const bool is_own = name.starts_with("frl_apartment_");
+      own += is_own ? 1 : 0;
+      EXPECT_EQ(fs::exists(out / "objects" / name), !is_own) << "a stand-in only for what is not Habitat's: " << name;
+    }
+    for (const auto& [ours, handle] : episode["info"]["unietp"]["names"].items()) {
+      if (ours.starts_with("frl_apartment_")) EXPECT_EQ(handle, ours);
+    }
+  }
+  EXPECT_GT(own, 0);
+  const Json config = Json::parse(read_file(out / "unietp.scene_dataset_config.json").value());
+  EXPECT_THAT(config["objects"]["paths"][".json"].dump(), HasSubstr("replica_cad"));
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -33,13 +33,14 @@ class Twin : public ActingSimulator {
     own_.emplace(std::move(*made));
     return Done{};
   }
-  Result<SimulatorAnswer> act(const Action& action, const Scene& now) override {
+  Result<SimulatorAnswer> act(const Action& action, const Scene& now, const Delta& ours) override {
     EXPECT_EQ(now.edges, edges_);
     if (action.type == at_ && whim_ == Whim::Breaks) return Error{Error::Kind::Io, "twin", {}, "is gone"};
     if (action.type == at_ && whim_ == Whim::Refuses) return SimulatorAnswer{false, "it is glued", {}};
     Command command{std::string(info(action.type).name), {}};
     for (const std::string& id : action.args) command.args.push_back({id, std::nullopt});
     const StepResult result = own_->step(command);
+    EXPECT_EQ(ours, result.executed.front().changes) << "what the action did in our physics is told";
     SimulatorAnswer answer{true, "", result.executed.front().changes};
     if (action.type == at_ && whim_ == Whim::Forgets) answer.changes = {};
     edges_ = apply(now, answer.changes).edges;

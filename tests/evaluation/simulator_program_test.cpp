@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/scratch_folder.h"
+
 namespace unietp {
 namespace {
 
@@ -28,7 +30,7 @@ TEST(ASimulatorsAnswer, IsWhatChangedInOurWords) {
       read_simulator_answer(answer(R"({"success":true,"message":"","states":{"fridge_1":["open","power_on"]},
                  "edges_added":[["on","mug_1","table_1"],["inside","mug_1","fridge_1"]],
                  "edges_removed":[["in_room","agent","hall_1"]],"held":["mug_1"]})"),
-                            7, kitchen());
+                            7, kitchen(), {});
   ASSERT_TRUE(read) << format(read.error());
   EXPECT_TRUE(read->success);
   ASSERT_EQ(read->changes.nodes.size(), 1U);
@@ -40,6 +42,22 @@ TEST(ASimulatorsAnswer, IsWhatChangedInOurWords) {
   EXPECT_THAT(read->changes.agent->held, ElementsAre("mug_1"));
 }
 
+TEST(ASimulatorsAnswer, MayTellOfAPieceThatOurPhysicsMake) {
+  Delta ours;
+  ours.nodes.push_back(kitchen().nodes.front());
+  ours.nodes.back().id = "apple_1_slice_1";
+  const std::string told = answer(R"({"success":true,"message":"","states":{"apple_1_slice_1":[],"fridge_1":["filled(water)"]
+}
+, "edges_added" : [], "edges_removed" : []
+})");
+  const auto read = read_simulator_answer(told, 7, kitchen(), ours);
+ASSERT_TRUE(read) << format(read.error());
+ASSERT_EQ(read->changes.nodes.size(), 2U);
+EXPECT_EQ(read->changes.nodes.front(), ours.nodes.front());
+EXPECT_TRUE(read->changes.nodes.back().states.has(Predicate::Filled));
+EXPECT_FALSE(read_simulator_answer(told, 7, kitchen(), {})) << "a piece of nothing";
+}
+
 TEST(ASimulatorsAnswer, ThatIsNoneIsRefusedWithAReason) {
   const std::string rest = R"(,"message":"","edges_added":[],"edges_removed":[])";
   for (const auto& [line, why] : {
@@ -47,24 +65,36 @@ TEST(ASimulatorsAnswer, ThatIsNoneIsRefusedWithAReason) {
            std::pair{answer("{}"), "success"},
            std::pair{answer(R"({"success":1,"states":{})" + rest + "}"), "true or false"},
            std::pair{answer(R"({"success":true,"states":{"mug_9":["open"]})" + rest + "}"), "id of an object"},
-           std::pair{answer(R"({"success":true,"states":{"fridge_1":["ajar"]})" + rest + "}"), "names of states"},
+           std::pair{answer(R"({"success":true,"states":{"fridge_1":["ajar"]})" + rest + "}"), "state"},
            std::pair{answer(R"({"success":true,"states":{},"message":"","edges_added":[["open","a","b"]],)"
                             R"("edges_removed":[]})"),
                      "a relation and two ids"},
            std::pair{std::string(R"({"jsonrpc":"2.0","id":8,"result":{}})"), "expected 7"},
            std::pair{std::string(R"({"jsonrpc":"2.0","id":7,"error":{"message":"no graph"}})"), "no graph"},
        }) {
-    const auto read = read_simulator_answer(line, 7, kitchen());
+    const auto read = read_simulator_answer(line, 7, kitchen(), {});
     ASSERT_FALSE(read) << line;
     EXPECT_THAT(format(read.error()), HasSubstr(why));
   }
 }
 
+TEST(ASimulatorsProgram, IsWrittenWithAllThatItNeeds) {
+  const ScratchFolder folder;
+  for (const auto& backend : simulator_backends()) {
+    const auto command = simulator_command(backend, folder.at(backend));
+    ASSERT_TRUE(command) << format(command.error());
+    EXPECT_THAT(*command, ElementsAre("python3", folder.at(backend) + "/act_" + backend + ".py"));
+    EXPECT_TRUE(std::filesystem::exists(folder.at(backend) + "/acting.py"));
+  }
+  EXPECT_TRUE(std::filesystem::exists(folder.at("ai2thor") + "/run_ai2thor.py"));
+}
+
 TEST(ASimulatorsProgram, ThatIsUnknownIsRefused) {
-  const auto refused = simulator_command("virtualhom");
+  const ScratchFolder folder;
+  const auto refused = simulator_command("virtualhom", folder.at("none"));
   ASSERT_FALSE(refused);
   EXPECT_THAT(format(refused.error()), HasSubstr("virtualhome"));
-  EXPECT_TRUE(simulator_command("virtualhome"));
+  EXPECT_FALSE(std::filesystem::exists(folder.at("none")));
 }
 
 }  // namespace

@@ -2,26 +2,19 @@
 
     unietp evaluate out/mine --backend virtualhome --policy replay --out out/there
 
-It reads lines of JSON-RPC 2.0 from standard input and answers each with one on standard output:
-
-    begin {"task": ID, "folder": PATH, "rooms": [ID, ...]}    a task of `unietp export --format virtualhome`; rooms in order
-    act   {"action": "pick_up", "args": ["plate_1"]}          an action of ours
-
-`act` answers with `success`, the simulator's `message` when it fails, and what changed of the simulator's state, in our
-words: `states` (all states now of each object whose states changed), `edges_added` and `edges_removed` (relation, from, to), and
-`held` where that changed. `Episode` is the same for programs in Python.
+`Episode` is the same for programs in Python; acting.py describes the protocol.
 """
 
 import importlib
 import importlib.util
 import json
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
-Json = dict[str, Any]
-Edge = tuple[str, str, str]
+from acting import Acting, Facts, Json, serve
 
 WORDS = {
     "go_to": "Walk", "turn_to": "TurnTo", "pick_up": "Grab", "place_on": "PutBack", "place_in": "PutIn", "open": "Open",
@@ -53,58 +46,46 @@ def load_simulator() -> Any:
     )
 
 
-class Facts:
-    """What a graph says, in our words."""
-
-    def __init__(self, graph: Json, ids: dict[int, str], rooms: dict[int, str]):
-        """`ids`, `rooms`: ours, by the numbers of their nodes."""
-        kind = {node["id"]: node["category"] for node in graph["nodes"]}
-        agent = next(node["id"] for node in graph["nodes"] if node["class_name"] == "character")
-        below: dict[int, list[tuple[str, int]]] = {}  # of each thing those that it is on or in
-        room_of: dict[int, int] = {}
-        self.held: list[str] = []
-        held: set[int] = set()
-        for edge in graph["edges"]:
-            start, relation, end = edge["from_id"], edge["relation_type"], edge["to_id"]
-            if relation in HANDS and end in ids:
-                self.held.append(ids[end])
-                held.add(end)
-            elif relation == "INSIDE" and kind[end] == "Rooms":
-                room_of[start] = end
-            elif relation in ("ON", "INSIDE") and (end in ids or kind[end] == "Floor") and start != agent:
-                below.setdefault(start, []).append(("on" if relation == "ON" else "inside", end))
-        self.states = {
-            ids[node["id"]]: sorted(STATES[word] for word in node["states"] if word in STATES)
-            for node in graph["nodes"]
-            if node["id"] in ids
-        }
-        self.edges: set[Edge] = set()
-        for thing, name in ids.items():
-            for relation, place in below.get(thing, []) if thing not in held else []:
-                if place in ids:
-                    self.edges.add((relation, name, ids[place]))
-                elif room_of.get(place) in rooms:
-                    self.edges.add(("on_floor", name, rooms[room_of[place]]))
-            bottom, seen = thing, {thing}  # whose room it is in; what is in the hand is in none
-            while bottom not in held:
-                further = [place for _, place in below.get(bottom, []) if place in ids and place not in seen]
-                if not further:
-                    break
-                bottom = further[0]
-                seen.add(bottom)
-            if bottom not in held and room_of.get(bottom) in rooms:
-                self.edges.add(("in_room", name, rooms[room_of[bottom]]))
-        if room_of.get(agent) in rooms:
-            self.edges.add(("in_room", "agent", rooms[room_of[agent]]))
-
-    def changes_to(self, now: "Facts") -> Json:
-        changed = {name: states for name, states in now.states.items() if states != self.states.get(name)}
-        answer: Json = {
-            "states": changed,
-            "edges_added": sorted(now.edges - self.edges),
-            "edges_removed": sorted(self.edges - now.edges),
-        }
-        return answer if now.held == self.held else answer | {"held": now.held}
+def facts_of(graph: Json, ids: dict[int, str], rooms: dict[int, str]) -> Facts:
+    """What a graph says, in our words. `ids`, `rooms`: ours, by the numbers of their nodes."""
+    kind = {node["id"]: node["category"] for node in graph["nodes"]}
+    agent = next(node["id"] for node in graph["nodes"] if node["class_name"] == "character")
+    below: dict[int, list[tuple[str, int]]] = {}  # of each thing those that it is on or in
+    room_of: dict[int, int] = {}
+    facts = Facts()
+    held: set[int] = set()
+    for edge in graph["edges"]:
+        start, relation, end = edge["from_id"], edge["relation_type"], edge["to_id"]
+        if relation in HANDS and end in ids:
+            facts.held.append(ids[end])
+            held.add(end)
+        elif relation == "INSIDE" and kind[end] == "Rooms":
+            room_of[start] = end
+        elif relation in ("ON", "INSIDE") and (end in ids or kind[end] == "Floor") and start != agent:
+            below.setdefault(start, []).append(("on" if relation == "ON" else "inside", end))
+    facts.states = {
+        ids[node["id"]]: sorted(STATES[word] for word in node["states"] if word in STATES)
+        for node in graph["nodes"]
+        if node["id"] in ids
+    }
+    for thing, name in ids.items():
+        for relation, place in below.get(thing, []) if thing not in held else []:
+            if place in ids:
+                facts.edges.add((relation, name, ids[place]))
+            elif room_of.get(place) in rooms:
+                facts.edges.add(("on_floor", name, rooms[room_of[place]]))
+        bottom, seen = thing, {thing}  # whose room it is in; what is in the hand is in none
+        while bottom not in held:
+            further = [place for _, place in below.get(bottom, []) if place in ids and place not in seen]
+            if not further:
+                break
+            bottom = further[0]
+            seen.add(bottom)
+        if bottom not in held and room_of.get(bottom) in rooms:
+            facts.edges.add(("in_room", name, rooms[room_of[bottom]]))
+    if room_of.get(agent) in rooms:
+        facts.edges.add(("in_room", "agent", rooms[room_of[agent]]))
+    return facts
 
 
 class Episode:
@@ -123,10 +104,10 @@ class Episode:
             self.rooms[node["id"]]: f"{node['class_name']}_{node['id']}" for node in graph["nodes"] if node["id"] in self.rooms
         }
         self.state = self.simulator.State(self.simulator.Graph(graph), {}, instance_selection=True)
-        self.facts = Facts(self.state.to_dict(), self.ids, self.rooms)
+        self.facts = facts_of(self.state.to_dict(), self.ids, self.rooms)
         self.walked_to = ""  # the last that the agent walked to
 
-    def act(self, action: str, args: list[str]) -> Json:
+    def act(self, action: str, args: list[str], ours: Json) -> Json:
         """Executes an action; a walk to its object and the plug of a device come before it, as in exported programs."""
         if action in HEADS:
             return self._answer(True, "")
@@ -159,34 +140,16 @@ class Episode:
         return " ".join([f"[{word}]", *(f"<{part.rsplit('_', 1)[0]}> ({part.rsplit('_', 1)[1]})" for part in parts)])
 
     def _answer(self, success: bool, message: str) -> Json:
-        now = Facts(self.state.to_dict(), self.ids, self.rooms) if success else self.facts
+        now = facts_of(self.state.to_dict(), self.ids, self.rooms) if success else self.facts
         answer = {"success": success, "message": " ".join(message.split()), **self.facts.changes_to(now)}
         self.facts = now
         return answer
 
 
-def serve() -> None:
-    """Answers calls until the input ends."""
-    episode: Episode | None = None
-    out, sys.stdout = sys.stdout, sys.stderr  # the package prints
+def make() -> Callable[[Json], Acting]:
     simulator = load_simulator()
-    for line in sys.stdin:
-        call = json.loads(line)
-        answer: Json = {"jsonrpc": "2.0", "id": call["id"]}
-        try:
-            params = call["params"]
-            if call["method"] == "begin":
-                episode = Episode(Path(params["folder"]), params["task"], params["rooms"], simulator)
-                answer["result"] = {}
-            elif episode is None:
-                raise ValueError("no episode has begun")
-            else:
-                answer["result"] = episode.act(params["action"], params["args"])
-        except Exception as error:  # the caller records why
-            answer["error"] = {"code": -32000, "message": f"{type(error).__name__}: {error}"}
-        out.write(json.dumps(answer) + "\n")
-        out.flush()
+    return lambda params: Episode(Path(params["folder"]), params["task"], params["rooms"], simulator)
 
 
 if __name__ == "__main__":
-    serve()
+    serve(make)
