@@ -25,7 +25,7 @@ std::size_t problems_with(const std::string& card, const std::string& wanted) {
   EXPECT_TRUE(write_file(folder.at("README.md"), card));
   return check_derived_files(folder.path(), {},
                              [&](const ManifestRecord&) -> Result<DerivedFiles> {
-                               return DerivedFiles{wanted, {}, {}};
+                               return DerivedFiles{wanted, {}, ""};
                              })
       .size();
 }
@@ -46,6 +46,25 @@ TEST(Card, MayHaveOtherProseButNoOtherFacts) {
                             "---\nlicense: mit\n---\n\n# 12 tasks\n\nMade with seed 7.\n",
                             "---\nlicense: mit\n---\n\n# 12 tasks\n\nMade with seed 7.\n\n| split | 12 |\n| a | 1 |\n"})
     EXPECT_GT(problems_with(other, card), 0U) << other;
+}
+
+TEST(Benchmark, NamedFalselyIsAFaultAndNotNamedIsNone) {
+  const ScratchFolder folder;
+  const auto problems = [&](const std::string& named, const std::string& is) {
+    ManifestRecord manifest;
+    manifest.benchmark = named;
+    return check_derived_files(folder.path(), manifest, [&](const ManifestRecord&) -> Result<DerivedFiles> {
+      return DerivedFiles{"", {}, is};
+    });
+  };
+  EXPECT_TRUE(problems("", "").empty());
+  EXPECT_TRUE(problems("", "unietp-1.0").empty());
+  EXPECT_TRUE(problems("unietp-1.0", "unietp-1.0").empty());
+  for (const char* is : {"", "unietp-1.1"}) {
+    const auto found = problems("unietp-1.0", is);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].kind, ProblemKind::Benchmark);
+  }
 }
 
 }  // namespace
