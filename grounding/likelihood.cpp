@@ -47,11 +47,29 @@ std::string rare_state(const Workspace& workspace, const Node& node, const Node*
   return "";
 }
 
-/// Something else on or in the receptacle that is kept apart from the thing.
+/// Whether a thing is where the home has it.
+bool stays(const Workspace& workspace, const Node& node) {
+  const Home* home = workspace.home();
+  const auto at = home == nullptr ? std::nullopt : home->places.find(node.id);
+  return at && home->scene.nodes[*at].pose == node.pose;
+}
+
+/// Something else on or in the receptacle that is kept apart from the thing, unless the home keeps it beside such
+/// things: in real homes spray stands beside fruit.
 const Node* clashing(const Workspace& workspace, const Node& node, std::size_t host) {
-  for (const std::string& id : workspace.carried_by(host)) {
-    const Node& other = workspace.scene().nodes[*workspace.places().find(id)];
-    if (other.id != node.id && workspace.household()->clash(node.category, other.category)) return &other;
+  const auto& household = *workspace.household();
+  const auto carried = workspace.carried_by(host);
+  const auto thing = [&](const std::string& id) -> const Node& {
+    return workspace.scene().nodes[*workspace.places().find(id)];
+  };
+  const auto is_usual_here = [&](const Node& other) {
+    return stays(workspace, other) && std::any_of(carried.begin(), carried.end(), [&](const std::string& id) {
+             return id != node.id && household.clash(thing(id).category, other.category) && stays(workspace, thing(id));
+           });
+  };
+  for (const std::string& id : carried) {
+    const Node& other = thing(id);
+    if (other.id != node.id && household.clash(node.category, other.category) && !is_usual_here(other)) return &other;
   }
   return nullptr;
 }
@@ -113,7 +131,8 @@ Oddness oddness_of(const Workspace& workspace, const Node& node, std::string* re
   };
   if (household == nullptr || household->places_of(node.category).empty()) return Oddness::None;
   const auto where = location_of(workspace, node);
-  if (where.room != nullptr && household->in_room(node.category, where.room->type) < Household::kNoRoom)
+  const bool unmoved = stays(workspace, node);  // its place is the home's doing: real homes have bowls in the bathroom
+  if (!unmoved && where.room != nullptr && household->in_room(node.category, where.room->type) < Household::kNoRoom)
     return odd("in " + where.room->id + ", where nobody keeps such things");
   const auto& all = household->places_of(node.category);
   const bool some_usual = std::any_of(all.begin(), all.end(), [](const auto& place) { return place.usual; });
@@ -127,11 +146,12 @@ Oddness oddness_of(const Workspace& workspace, const Node& node, std::string* re
     const auto at = std::string(info(relation).name) + " " + there.id;
     const auto* place = household->place(node.category, relation, there.category);
     const bool kept = where.room == nullptr || household->keeps(node.category, there.category, where.room->type);
-    if (place == nullptr || !kept) return odd(at + ", where nobody keeps such things");
-    if (some_usual && !place->usual) worst = Oddness::Unusual;
+    if ((place == nullptr || !kept) && !unmoved) return odd(at + ", where nobody keeps such things");
+    if (some_usual && (place == nullptr || !place->usual)) worst = Oddness::Unusual;
     const auto state = rare_state(workspace, node, before, relation, there.category);
     if (!state.empty()) return odd(state + " " + at + ", as hardly anything is there");
-    if (const Node* other = clashing(workspace, node, host)) return odd(at + " together with " + other->id);
+    const Node* other = unmoved ? nullptr : clashing(workspace, node, host);
+    if (other != nullptr) return odd(at + " together with " + other->id);
   }
   return worst;
 }

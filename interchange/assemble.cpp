@@ -69,6 +69,7 @@ Result<ImportedScene> assemble(const SourceScene& source, const Knowledge& knowl
   if (source.rooms.empty()) draft.report.rooms_drawn = static_cast<int>(draft.scene.rooms.size());
   if (source.openings.empty()) draft.report.openings_made = static_cast<int>(draft.scene.openings.size());
   if (draft.scene.nodes.empty()) return refuse("no object of a known category can be placed");
+  fix_heaps(source, draft);
   follow_evidence(draft);
   draft.report.arrived = count_in_place(source, draft, !options.settle);
   if (options.settle) come_to_rest(source, options.most_work, draft);

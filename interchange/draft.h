@@ -40,6 +40,7 @@ struct Draft {
   std::vector<std::size_t> structure;  // floors, walls, doors: positions in SourceScene::objects
   std::vector<DraftRelation> relations;
   std::vector<DraftRepair> repairs;
+  std::vector<bool> heaped;  // of each node: part of a heap, see fix_heaps
   ImportReport report;
 };
 
@@ -53,6 +54,11 @@ Draft draft_of(const SourceScene& source, Scene scene, const Knowledge& knowledg
 
 /// The box of a node's solids as its joints stand, W.
 Bounds box_of(const Node& node);
+
+/// Fixes heaps in place and lists them: movable things of which one has more than a dozen others in its box that it
+/// neither holds nor stands on, with all that reaches into them. No physics brings such things apart in bounded time,
+/// and nothing is cut for them.
+void fix_heaps(const SourceScene& source, Draft& draft);
 
 /// Gives furniture boards where the file shows that something stands, and thins solids that would overlap what moves.
 void follow_evidence(Draft& draft);

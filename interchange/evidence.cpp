@@ -34,6 +34,7 @@ class Evidence {
       : nodes_(draft.scene.nodes),
         boxes_(boxes_of(draft.scene.nodes)),
         holders_(draft, boxes_),
+        heaped_(draft.heaped),
         repairs_(draft.repairs) {}
 
   void follow() {
@@ -41,7 +42,9 @@ class Evidence {
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return holders_.above(a).size() < holders_.above(b).size(); });
-    for (const std::size_t i : order) fit(i);
+    for (const std::size_t i : order) {
+      if (!heaped_[i]) fit(i);
+    }
   }
 
  private:
@@ -109,7 +112,8 @@ class Evidence {
   bool give_way_to_furniture(std::size_t f, std::vector<Board>& boards) {
     bool any = false;
     for (std::size_t g = 0; g < nodes_.size() && boards.size() <= kMostBoards; ++g) {
-      if (g == f || nodes_[g].movable || !overlap(boxes_[g], boxes_[f]) || !holders_.smaller(g, f)) continue;
+      if (g == f || nodes_[g].movable || heaped_[g] || !overlap(boxes_[g], boxes_[f]) || !holders_.smaller(g, f))
+        continue;
       std::vector<Bounds> holes = hulls(f, g);
       for (Bounds& hole : holes) hole = grown(hole, -kTouching_m, -kTouching_m);
       any = cut_for(f, g, boards, holes) || any;
@@ -291,6 +295,7 @@ class Evidence {
   SharedList<Node>& nodes_;
   std::vector<Bounds> boxes_;  // W, as the joints stand
   Supports holders_;
+  const std::vector<bool>& heaped_;
   std::vector<DraftRepair>& repairs_;
 };
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "scene/archetype_dimensions.h"
+#include "simulation/board_surfaces.h"
 
 namespace unietp {
 namespace {
@@ -260,20 +261,6 @@ Shape make_shape(Archetype archetype, const Vec3& size, bool openable) {
 
 namespace {
 
-/// Free height above a board's upper face: up to the lowest board over its middle.
-double clearance_over(const Board& board, const std::vector<Board>& boards) {
-  const Vec3 top = board.centre + Vec3(0, 0, board.size.z() / 2);
-  double clearance = kOpenAbove_m;
-  for (const Board& other : boards) {
-    const double bottom = other.centre.z() - other.size.z() / 2;
-    const Vec2 apart = (other.centre - top).head<2>().cwiseAbs() - (other.size.head<2>() + board.size.head<2>()) / 2;
-    if (bottom > top.z() - kDoorGap_m && apart.maxCoeff() < -kDoorGap_m) {
-      clearance = std::min(clearance, std::max(0.0, bottom - top.z()));
-    }
-  }
-  return clearance;
-}
-
 int cavity_at(const Shape& shape, const Vec3& point, int joint) {
   for (std::size_t i = 0; i < shape.cavities.size(); ++i) {
     const Cavity& cavity = shape.cavities[i];
@@ -286,20 +273,16 @@ int cavity_at(const Shape& shape, const Vec3& point, int joint) {
 }  // namespace
 
 Shape shape_of(const Node& node) {
-  constexpr double kLowest_m = 0.03;  // smallest clearance of a surface
   Shape shape = make_shape(node.archetype, node.size, node.openable);
   if (node.boards.empty()) return shape;
+  std::vector<Board> boards = node.boards;
   shape.parts.clear();
-  shape.surfaces.clear();
-  for (const Board& board : node.boards) {
-    const int joint = board.joint < static_cast<int>(shape.joints.size()) ? board.joint : -1;
-    shape.parts.push_back({Part::Kind::Box, {board.centre, Quat::Identity()}, board.size, joint});
-    const Vec2 half = board.size.head<2>() / 2 - Vec2::Constant(kSurfaceEdge_m);
-    const double clearance = half.minCoeff() > 0 ? clearance_over(board, node.boards) : 0;
-    if (clearance < kLowest_m) continue;
-    const Vec3 top = board.centre + Vec3(0, 0, board.size.z() / 2);
-    shape.surfaces.push_back({top, half, clearance, joint, cavity_at(shape, top, joint)});
+  for (Board& board : boards) {
+    if (board.joint >= static_cast<int>(shape.joints.size())) board.joint = -1;
+    shape.parts.push_back({Part::Kind::Box, {board.centre, Quat::Identity()}, board.size, board.joint});
   }
+  shape.surfaces = surfaces_on(boards);
+  for (Surface& surface : shape.surfaces) surface.cavity = cavity_at(shape, surface.centre, surface.joint);
   return shape;
 }
 

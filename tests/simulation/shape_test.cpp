@@ -39,6 +39,47 @@ TEST(ShapeOfANode, ItsOwnBoardsReplaceTheArchetypesSolidsAndKeepItsHollow) {
   EXPECT_NEAR(own.surfaces[2].clearance, 0.68, 1e-12);
 }
 
+/// A counter of 2 x 0.6 m, 0.9 m high, of these boards.
+Shape counter_of(std::vector<Board> boards) {
+  Node counter;
+  counter.archetype = Archetype::Block;
+  counter.size = {2, 0.6, 0.9};
+  counter.boards = std::move(boards);
+  return shape_of(counter);
+}
+
+TEST(ShapeOfANode, ABoardThinnerThanAGapIsASurface) {
+  const Shape shape = counter_of({{{0, 0, 0}, {2, 0.6, 0.9}, -1}, {{0, 0, 0.4505}, {2, 0.6, 0.001}, -1}});
+  ASSERT_EQ(shape.surfaces.size(), 1u) << "the face below is covered";
+  EXPECT_NEAR(shape.surfaces[0].centre.z(), 0.451, 1e-12);
+  EXPECT_NEAR(shape.surfaces[0].half.x(), 0.99, 1e-12);
+  EXPECT_NEAR(shape.surfaces[0].clearance, 2, 1e-12);
+}
+
+TEST(ShapeOfANode, PiecesOfOneHeightAreOneSurfaceAroundAHole) {
+  // What is left of the top around something of 10 cm that stands 10 cm from the middle.
+  const Shape shape = counter_of({{{-0.475, 0, 0.44}, {1.05, 0.6, 0.02}, -1},
+                                  {{0.575, 0, 0.44}, {0.85, 0.6, 0.02}, -1},
+                                  {{0.1, -0.175, 0.44}, {0.1, 0.25, 0.02}, -1},
+                                  {{0.1, 0.175, 0.44}, {0.1, 0.25, 0.02}, -1}});
+  double longest = 0;
+  for (const Surface& surface : shape.surfaces) longest = std::max(longest, surface.half.x());
+  EXPECT_NEAR(longest, 0.99, 1e-9) << "before and behind the hole it goes all along";
+}
+
+TEST(ShapeOfANode, WhatHangsLowOverATopTakesOnlyItsOwnPartOfIt) {
+  const Shape shape = counter_of({{{0, 0, 0}, {2, 0.6, 0.9}, -1}, {{-0.8, 0.1, 0.47}, {0.1, 0.1, 0.01}, -1}});
+  double widest = 0;
+  for (const Surface& surface : shape.surfaces) {
+    if (surface.clearance > 1.9 && std::abs(surface.centre.z() - 0.45) < 1e-9)
+      widest = std::max(widest, surface.half.x() * surface.half.y());
+    const Vec2 apart = (surface.centre.head<2>() - Vec2(-0.8, 0.1)).cwiseAbs() - surface.half;
+    const bool is_top = std::abs(surface.centre.z() - 0.45) < 1e-9;
+    EXPECT_FALSE(is_top && apart.maxCoeff() < 0) << "there are 1.5 cm below it";
+  }
+  EXPECT_GT(widest, 0.4);
+}
+
 TEST(MakeShape, KeepsEveryPartInsideTheBoxForAnySizeWhenClosed) {
   Rng rng(1);
   for (int i = 0; i < 300; ++i) {
