@@ -97,7 +97,8 @@ TEST(Native, HabitatsOwnObjectsAreNamedByTheirTemplates) {
   const auto text = read_maybe_gzip(out / "episodes.json.gz");
   ASSERT_TRUE(text);
   int own = 0;
-  for (const auto& episode : Json::parse(*text)["episodes"]) {
+  const Json habitat = Json::parse(*text);
+  for (const auto& episode : habitat["episodes"]) {
     for (const auto& object : episode["rigid_objs"]) {
       const auto name = object[0].get<std::string>();
       const bool is_own = name.starts_with("frl_apartment_");
@@ -105,7 +106,9 @@ TEST(Native, HabitatsOwnObjectsAreNamedByTheirTemplates) {
       EXPECT_EQ(fs::exists(out / "objects" / name), !is_own) << "a stand-in only for what is not Habitat's: " << name;
     }
     for (const auto& [ours, handle] : episode["info"]["unietp"]["names"].items()) {
-      if (ours.starts_with("frl_apartment_")) EXPECT_EQ(handle, ours);
+      if (ours.starts_with("frl_apartment_")) {
+        EXPECT_EQ(handle, ours);
+      }
     }
   }
   EXPECT_GT(own, 0);

@@ -46,16 +46,14 @@ TEST(ASimulatorsAnswer, MayTellOfAPieceThatOurPhysicsMake) {
   Delta ours;
   ours.nodes.push_back(kitchen().nodes.front());
   ours.nodes.back().id = "apple_1_slice_1";
-  const std::string told = answer(R"({"success":true,"message":"","states":{"apple_1_slice_1":[],"fridge_1":["filled(water)"]
-}
-, "edges_added" : [], "edges_removed" : []
-})");
+  const std::string told = answer(R"json({"success":true,"message":"","edges_added":[],"edges_removed":[],
+                 "states":{"apple_1_slice_1":[],"fridge_1":["filled(water)"]}})json");
   const auto read = read_simulator_answer(told, 7, kitchen(), ours);
-ASSERT_TRUE(read) << format(read.error());
-ASSERT_EQ(read->changes.nodes.size(), 2U);
-EXPECT_EQ(read->changes.nodes.front(), ours.nodes.front());
-EXPECT_TRUE(read->changes.nodes.back().states.has(Predicate::Filled));
-EXPECT_FALSE(read_simulator_answer(told, 7, kitchen(), {})) << "a piece of nothing";
+  ASSERT_TRUE(read) << format(read.error());
+  ASSERT_EQ(read->changes.nodes.size(), 2U);
+  EXPECT_EQ(read->changes.nodes.front(), ours.nodes.front());
+  EXPECT_TRUE(read->changes.nodes.back().states.has(Predicate::Filled));
+  EXPECT_FALSE(read_simulator_answer(told, 7, kitchen(), {})) << "a piece of nothing";
 }
 
 TEST(ASimulatorsAnswer, ThatIsNoneIsRefusedWithAReason) {

@@ -32,7 +32,7 @@ bool episode_body(std::string_view text) {
   const bool reply = reads_back<LoggedReply>(&read_logged_reply, &reply_line, text);
   const bool score = reads_back<EpisodeScore>(&read_score, &score_line, text);
   const bool answer =
-      check_result(read_policy_answer(text, 1)) || check_result(read_simulator_answer(text, 1, Scene()));
+      check_result(read_policy_answer(text, 1)) || check_result(read_simulator_answer(text, 1, Scene(), Delta()));
   return episode || timing || reply || score || answer;
 }
 
