@@ -63,7 +63,9 @@ TEST(TemplateTry, KeepsTheCategoriesThatAreBound) {
   const auto ended =
       run_program({"template", "try", "place-one-on", "--simulator", "ai2thor", "--bind", "A=Book", "--json"});
   ASSERT_EQ(ended.code, 0) << ended.err;
-  for (const auto& task : Json::parse(ended.out)["simulators"][0]["tasks"]) EXPECT_EQ(task["binding"]["A"], "Book");
+  const Json told = Json::parse(ended.out);
+  ASSERT_FALSE(told["simulators"][0]["tasks"].empty());
+  for (const auto& task : told["simulators"][0]["tasks"]) EXPECT_EQ(task["binding"]["A"], "Book");
 }
 
 TEST(TemplateTry, NamesAreToldWithTheNearestKnownOne) {
