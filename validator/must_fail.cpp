@@ -63,7 +63,11 @@ std::vector<StateSet> states_held(const World& world) {
 class PlanChanger {
  public:
   PlanChanger(const Formula& goal, const World& start, Mode mode, const TraceMaker& traces, std::string where)
-      : goal_(goal), asked_(without_constraints(goal)), start_{ModeEpisode(start, mode), {}, {}}, traces_(traces), where_(std::move(where)) {}
+      : goal_(goal),
+        asked_(without_constraints(goal)),
+        start_{ModeEpisode(start, mode), {}, {}},
+        traces_(traces),
+        where_(std::move(where)) {}
 
   void leave_out_each(const std::vector<Action>& plan, const std::vector<bool>& search) {
     Rollout here = start_;

@@ -53,9 +53,8 @@ TEST(OwnIds, AreWhatVirtualhomesGraphHasAgain) {
   const auto written = write_virtualhome(scene, knowledge, format_facts());
   ASSERT_TRUE(written);
   std::set<int> numbers;
-  const Json scene = Json::parse(written->text);
-  for (const auto& node : scene["nodes"])
-    EXPECT_TRUE(numbers.insert(node["id"].get<int>()).second);
+  const Json graph = Json::parse(written->text);
+  for (const auto& node : graph["nodes"]) EXPECT_TRUE(numbers.insert(node["id"].get<int>()).second);
   for (std::size_t i = 0; i < 2; ++i)
     EXPECT_EQ(written->names.at(scene.nodes[i].id), scene.nodes[i].category + "_" + std::to_string(i + 1));
 }
