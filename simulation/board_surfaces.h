@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "scene/scene.h"
-#include "simulation/shape.h"
+#include "simulation/surface.h"
 
 namespace unietp {
 

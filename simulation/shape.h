@@ -5,6 +5,7 @@
 #include "scene/archetype.h"
 #include "scene/geometry.h"
 #include "scene/scene.h"
+#include "simulation/surface.h"
 
 namespace unietp {
 
@@ -24,15 +25,6 @@ struct Joint {
   Vec3 anchor = Vec3::Zero();  // a point on the hinge's axis, object frame
   Vec3 axis = Vec3::UnitZ();   // unit
   double travel = 0;           // radians or metres
-};
-
-/// A level rectangle on which things can rest, object frame.
-struct Surface {
-  Vec3 centre = Vec3::Zero();  // of the rectangle, on the solid's upper face
-  Vec2 half = Vec2::Zero();    // half extents along x and y
-  double clearance = 0;        // free height above it, metres
-  int joint = -1;
-  int cavity = -1;  // index of the cavity it is the floor or a shelf of; -1: open, what rests here is `on`
 };
 
 /// A hollow space: what lies in it is `inside`.

@@ -40,6 +40,18 @@ void write(const DamagedTask& damaged, std::string& tasks, std::string& demonstr
   if (!damaged.without_demonstration) demonstrations += damaged.demonstration.dump() + "\n";
 }
 
+/// Tasks for what fits none of the first set.
+const std::filesystem::path& second_data_set() {
+  static const ScratchFolder kScratch;
+  static const std::filesystem::path kFolder = [] {
+    const auto ended = run_program({"generate", "--count", "60", "--seed", "9", "--rooms", "5", "--objects", "25",
+                                    "--out", kScratch.at("second"), "--threads", "2"});
+    EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
+    return std::filesystem::path(kScratch.at("second"));
+  }();
+  return kFolder;
+}
+
 /// Each task of a data set damaged in a way of its own, as far as there are ways that fit, and what is said of all
 /// that. Made in as many copies as it takes.
 struct Outcome {
@@ -65,15 +77,17 @@ const Outcome& outcome() {
     Outcome all;
     std::set<std::string> left;
     for (const auto& corruption : kCorruptions) left.insert(corruption.name);
-    for (int round = 0; round < 4 && !left.empty(); ++round) {
-      DamagedCopy copy;
+    std::set<std::pair<std::string, std::string>> tried;  // corruption and task
+    for (int round = 0; round < 8 && !left.empty(); ++round) {
+      if (round == 4) tried.clear();  // other tasks from here on
+      DamagedCopy copy(round < 4 ? small_data_set() : second_data_set());
       auto tasks = tasks_of(copy);
       std::map<std::string, std::string> corruption_of;       // by task
       for (const auto& corruption : pickiest_first(tasks)) {  // each takes the first task that fits and is still sound
         if (!left.contains(corruption.name)) continue;
         for (auto& task : tasks) {
           const std::string id = task.task["id"];
-          if (corruption_of.contains(id)) continue;
+          if (corruption_of.contains(id) || tried.contains({corruption.name, id})) continue;
           DamagedTask damaged = task;
           if (!corruption.damage(damaged)) continue;
           task = std::move(damaged);
@@ -95,7 +109,9 @@ const Outcome& outcome() {
           all.kinds_by_corruption[found->second].insert(problem.kind);
         }
       }
-      for (const auto& [task, name] : corruption_of) left.erase(name);
+      for (const auto& [task, name] : corruption_of) tried.insert({name, task});
+      for (const auto& corruption : kCorruptions)  // what is told may depend on the home: another task is next
+        if (all.kinds_by_corruption[corruption.name].contains(corruption.kind)) left.erase(corruption.name);
     }
     return all;
   }();

@@ -88,8 +88,10 @@ Json start_json(const std::filesystem::path& folder, const Json& task) {
   return Json::parse(scene_to_json(start_of(folder, task)));
 }
 
-DamagedCopy::DamagedCopy() : folder_(scratch_.at("copy")) {
-  std::filesystem::copy(small_data_set(), folder_, std::filesystem::copy_options::recursive);
+DamagedCopy::DamagedCopy() : DamagedCopy(small_data_set()) {}
+
+DamagedCopy::DamagedCopy(const std::filesystem::path& original) : folder_(scratch_.at("copy")) {
+  std::filesystem::copy(original, folder_, std::filesystem::copy_options::recursive);
 }
 
 std::string DamagedCopy::read(const std::string& file) const { return bytes_of(folder_ / file); }

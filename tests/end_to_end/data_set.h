@@ -41,7 +41,8 @@ nlohmann::ordered_json start_json(const std::filesystem::path& folder, const nlo
 /// that only what the files mean is left to find.
 class DamagedCopy {
  public:
-  DamagedCopy();
+  DamagedCopy();  // of small_data_set()
+  explicit DamagedCopy(const std::filesystem::path& original);
   const std::filesystem::path& folder() const { return folder_; }
   std::string read(const std::string& file) const;
   void write(const std::string& file, const std::string& bytes) const;
