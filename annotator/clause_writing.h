@@ -45,7 +45,7 @@ class ClauseWriter {
   std::optional<std::string> cut_first(const Clause& clause);
   std::optional<std::string> filled(const std::string& pattern, const Clause& clause);
 
-  /// " in there, too", of the place that the command before put something at; nullopt for any other.
+  /// "in there, too", of the place that the command before put something at; nullopt for any other.
   std::optional<std::string> there_too(const Complement& goes) const;
 
   Naming& naming_;

@@ -108,7 +108,7 @@ Formula named_in_home(const Formula& goal, const HomeCounts& home, const Singles
 
 Formula as_in_home(const Formula& goal, const HomeCounts& home) { return named_in_home(goal, home, {}); }
 
-/// "Put a couple of books on the shelf and don't leave more than one on the desk.": "both" would leave none there.
+/// "Put a couple of books on the shelf. Only one can stay on the desk.": "both" would leave none there.
 bool leaves_few(const Formula& all, const Formula& part) {
   return all.op == Op::And && part.op == Op::Count &&
          std::any_of(all.children.begin(), all.children.end(), [&](const Formula& other) {

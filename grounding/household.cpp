@@ -72,10 +72,13 @@ Household::Household(const Knowledge& knowledge, const CommonSense& sense, Start
       return std::tie(a.receptacle, a.relation) < std::tie(b.receptacle, b.relation);
     });
   }
-  for (const Category& category : knowledge.categories())
+  for (const Category& category : knowledge.categories()) {
+    // Few names are generic, and comparing all categories with all would take a second.
+    if (!category.movable || !sense.has_rule_on_name(category.display)) continue;
+    const Thing name = thing_of(category);
     for (const Category& other : knowledge.categories())
-      if (category.movable && other.movable && sense.may_mean(thing_of(category), thing_of(other)))
-        meant_[category.name].insert(other.name);
+      if (other.movable && sense.may_mean(name, thing_of(other))) meant_[category.name].insert(other.name);
+  }
 }
 
 bool Household::may_mean(std::string_view name, const std::string& other) const {

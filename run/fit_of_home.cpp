@@ -22,7 +22,8 @@ bool is_usual_room_of(const std::string& place, const std::string& room, const K
   return std::find(usual.begin(), usual.end(), room) != usual.end();
 }
 
-/// What people say for a category; "" when it has no name.
+/// What people say for a category, even where another category has that name already and NounTable writes a longer one;
+/// "" when it has no name.
 std::string spoken_name(const std::string& category, const NounTable& nouns) {
   const auto* name = nouns.display(category);
   if (name == nullptr) return "";

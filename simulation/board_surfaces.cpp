@@ -144,10 +144,6 @@ class Level {
   std::vector<double> clearance_;  // of each cell, row by row; empty when there are too many
 };
 
-}  // namespace
-
-namespace {
-
 /// The surface on one board alone.
 void add_alone(const std::vector<Board>& boards, const Board& board, std::vector<Surface>& surfaces) {
   const Vec2 half = board.size.head<2>() / 2 - Vec2::Constant(kSurfaceEdge_m);
