@@ -31,7 +31,9 @@ from sas_task import SasTask, actions_of, holds
 
 warnings.filterwarnings("ignore", module="unified_planning")
 DOWNWARD = Path(up_fast_downward.__file__).parent / "downward" / "fast-downward.py"
-SPARE = ("note", "judge")  # the monitors' actions at the end of a plan may be none that its goal needs
+# The monitors' actions at the end of a plan may be none that its goal needs. Nor is a second walk to where the agent is:
+# PDDL has places, and not where at a fridge one stands while it is opened and after.
+SPARE = ("note", "judge", "again")
 COLUMNS = ("task", "grounded", "stored_steps", "stored_valid", "steps_not_needed", "solved", "solution_steps", "solution_valid",
            "unified_planning")  # fmt: skip
 
@@ -40,6 +42,12 @@ def downward(folder, *arguments):
     """Fast Downward in a folder; why it did not do it, "" where it did."""
     done = subprocess.run([sys.executable, DOWNWARD, *arguments], cwd=folder, capture_output=True, text=True)
     return "" if done.returncode == 0 else f"exit code {done.returncode}"
+
+
+def kind_of(plan, step):
+    """The action of a step; "again" for a walk to where the walk before it led."""
+    walks = [action for action in plan[:step] if action.startswith("go_to ")]
+    return "again" if walks and walks[-1] == plan[step] else plan[step].split()[0]
 
 
 def judged_by_downward(problem, seconds):
@@ -56,7 +64,7 @@ def judged_by_downward(problem, seconds):
         states = task.states(stored)
         valid = len(states) == len(stored) + 1 and holds(task.goal, states[-1])
         spare = [
-            f"{left_out}:{stored[left_out].split()[0]}"
+            f"{left_out}:{kind_of(stored, left_out)}"
             for left_out in range(len(stored) if valid else 0)
             if task.reaches(stored[left_out + 1 :], states[left_out])
         ]

@@ -55,7 +55,7 @@ class SasTask:
 
     def _operator(self) -> tuple[str, tuple[Facts, list[Effect]]]:
         self._skip(1)
-        name = next(self._lines)
+        name = next(self._lines).strip()  # without arguments it ends in a space
         needs, effects = self._facts(), []
         for _ in range(self._number()):
             numbers = [int(one) for one in next(self._lines).split()]
