@@ -234,9 +234,22 @@ bool ClauseReader::left_alone(Clause& clause) {
     clause.complements.push_back({P::Closed, false, "", {}});
     return true;
   }
+  if (words_.accept_one({"leave the one", "leave the ones"}) >= 0) {  // of what was moved
+    NounPhrase those = words_.last_moved();
+    those.determiner = Determiner::Every;
+    Complement place = words_.complement();
+    for (NounPhrase& object : place.object) {
+      if (object.determiner == Determiner::The) object.determiner = Determiner::Any;
+    }
+    those.modifiers.push_back(place);
+    clause.subjects.push_back(std::move(those));
+    clause.complements.push_back(std::move(place));
+    if (words_.accept_one({"where it is", "where they are"}) < 0) words_.fail("expected 'where it is' before this");
+    return true;
+  }
   if (words_.accept_one({"do not open", "don't open"}) >= 0) {
     clause.subjects.push_back(words_.phrase());
-    if (words_.accept("while it's running")) {  // the one that is on
+    if (words_.accept(", it's still running")) {  // the one that is on
       clause.subjects[0].determiner = Determiner::Every;
       clause.subjects[0].modifiers.push_back({P::PowerOn, false, "", {}});
     }

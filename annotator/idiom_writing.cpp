@@ -164,10 +164,27 @@ std::optional<std::string> no_more(const Clause& clause, Naming& naming) {
   return where ? Text("only " + number_word(clause.subjects[0].number) + " can stay " + *where) : std::nullopt;
 }
 
+namespace {
+
+/// Whether things are told by the place in which they then have to stay.
+bool says_the_place(const NounPhrase& things, const Complement& said) {
+  if (things.modifiers.size() != 1 || things.modifiers[0].object.size() != 1 || said.object.size() != 1) return false;
+  const Complement& told = things.modifiers[0];
+  return told.predicate == said.predicate && told.negated == said.negated && told.object[0].noun == said.object[0].noun &&
+         said.object[0].modifiers.empty() && told.object[0].modifiers.empty();
+}
+
+}  // namespace
+
 std::optional<std::string> left_alone(const Clause& clause, Naming& naming) {
   if (!is_single(clause) || naming.keeps_no()) return std::nullopt;
   const NounPhrase& subject = clause.subjects[0];
   const Complement& said = clause.complements[0];
+  if (subject.determiner == Determiner::Every && says_the_place(subject, said) && naming.was_named_kind(subject.noun)) {
+    const Text where = naming.complement(subject.modifiers[0], {});
+    if (!where) return std::nullopt;
+    return subject.there == 1 ? "leave the one " + *where + " where it is" : "leave the ones " + *where + " where they are";
+  }
   if (subject.determiner == Determiner::Every && said.predicate == P::On && naming.distracts()) {
     const auto all = naming.phrase(subject, {.together = true});
     Complement place = said;
@@ -188,7 +205,7 @@ std::optional<std::string> left_alone(const Clause& clause, Naming& naming) {
     NounPhrase machine = as(subject, Determiner::Any);
     machine.modifiers.clear();
     const auto one = naming.phrase(machine, {});
-    return one ? Text("don't open " + one->text + " while it's running") : std::nullopt;
+    return one ? Text("don't open " + one->text + ", it's still running") : std::nullopt;
   }
   if (subject.modifiers.size() == 1 && subject.modifiers[0].predicate == P::Closed && !subject.modifiers[0].negated &&
       naming.was_named_kind(subject.noun))

@@ -441,7 +441,8 @@ void PhraseReader::with_something(NounPhrase& read) {
 void PhraseReader::direct_description(NounPhrase& read) {
   if (comes("nearest to") || comes("closest to")) {
     read.modifiers.push_back(complement());
-  } else if (lexicon_.where_at(tokens_, at_).length == 0 && accept("where")) {
+  } else if (lexicon_.where_at(tokens_, at_).length == 0 && !comes("where it is") && !comes("where they are") &&
+             accept("where")) {
     read.modifiers.push_back({P::Inside, false, "", {phrase()}, true});
     if (accept_one({"is kept", "are kept", "is", "are"}) < 0) fail("expected 'is' or 'is kept'");
   } else if (accept("on which")) {

@@ -52,6 +52,12 @@ TaskEntry task_entry(const Task& task, const std::string& changes) {
   return entry;
 }
 
+std::vector<Command> said(const std::vector<Action>& plan) {
+  std::vector<Command> commands;
+  for (const Action& action : plan) commands.push_back(by_ids(action));
+  return commands;
+}
+
 WrittenTask written_task(const Task& task, const std::string& changes) {
   TaskEntry entry = task_entry(task, changes);
   WrittenTask written;
@@ -65,11 +71,10 @@ WrittenTask written_task(const Task& task, const std::string& changes) {
       ++count.steps;
       count.failures += step.outcome.success ? 0 : 1;
     }
-    std::vector<Command> shortest;
-    for (const Action& action : demonstration.shortest) shortest.push_back(by_ids(action));
-    count.shortest = static_cast<int>(shortest.size());
+    PlansBeside beside{said(demonstration.shortest), said(demonstration.tempting)};
+    count.shortest = static_cast<int>(beside.shortest.size());
     entry.expert.push_back(count);
-    written.shown.push_back(demonstration_line(task.id, demonstration.mode, steps, shortest));
+    written.shown.push_back(demonstration_line(task.id, demonstration.mode, steps, beside));
   };
   add(task.demonstration);
   for (const auto& other : task.in_other_modes) add(other);

@@ -104,6 +104,17 @@ void write_step(JsonText& json, const StepEntry& step) {
   json.close_object();
 }
 
+void write_plan(JsonText& json, std::string_view name, const std::vector<Command>& plan) {
+  json.key(name);
+  json.open_list();
+  for (const Command& command : plan) {
+    json.open_object();
+    write_command(json, command);
+    json.close_object();
+  }
+  json.close_list();
+}
+
 }  // namespace
 
 std::string line_of(const TaskEntry& task) {
@@ -136,7 +147,7 @@ std::string line_of(const TaskEntry& task) {
 }
 
 std::string demonstration_line(std::string_view task, Mode mode, const std::vector<StepEntry>& steps,
-                               const std::vector<Command>& shortest) {
+                               const PlansBeside& beside) {
   std::string line;
   JsonText json(line);
   json.open_object();
@@ -150,16 +161,8 @@ std::string demonstration_line(std::string_view task, Mode mode, const std::vect
   json.open_list();
   for (const auto& step : steps) write_step(json, step);
   json.close_list();
-  if (mode != Mode::M1) {
-    json.key("shortest");
-    json.open_list();
-    for (const Command& command : shortest) {
-      json.open_object();
-      write_command(json, command);
-      json.close_object();
-    }
-    json.close_list();
-  }
+  if (mode != Mode::M1) write_plan(json, "shortest", beside.shortest);
+  if (!beside.tempting.empty()) write_plan(json, "tempting", beside.tempting);
   json.close_object();
   return line;
 }

@@ -58,9 +58,14 @@ struct StepEntry {
   const Delta& changes;
   bool search = false;
 };
-/// A line of demonstrations/<mode>.jsonl. `shortest`: written except in M1.
+/// Plans beside a demonstration, with objects by their ids.
+struct PlansBeside {
+  std::vector<Command> shortest;  // written except in M1
+  std::vector<Command> tempting;  // written where there is one
+};
+/// A line of demonstrations/<mode>.jsonl.
 std::string demonstration_line(std::string_view task, Mode mode, const std::vector<StepEntry>& steps,
-                               const std::vector<Command>& shortest = {});
+                               const PlansBeside& beside = {});
 
 /// A line of rejections.jsonl.
 struct RejectionEntry {

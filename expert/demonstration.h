@@ -26,6 +26,8 @@ struct Demonstration {
   std::vector<DemonstrationStep> steps;  // the last is `stop`
   /// M2 and M3: the shortest plan known to one who is told everything, with the actions of the mode; ends with `stop`.
   std::vector<Action> shortest = {};
+  /// M1, where the goal has constraints: a plan that breaks them (tempting_plan.h); ends with `stop`.
+  std::vector<Action> tempting = {};
 };
 
 /// Limits of the search for a plan.

@@ -8,6 +8,7 @@
 #include "expert/demonstration.h"
 #include "expert/execution_tree.h"
 #include "generator/rejection.h"
+#include "simulation/mode_rules.h"
 
 namespace unietp {
 

@@ -42,6 +42,14 @@ ExecutionTree::ExecutionTree(const Formula& goal, const Scene& start, const Know
   at_start_ = reader_.entities();
 }
 
+ExecutionTree ExecutionTree::with_goal(const Formula& goal) const {
+  ExecutionTree other = *this;
+  other.goal_ = &goal;
+  other.trace_ = {};
+  other.judged_.clear();
+  return other;
+}
+
 Facts ExecutionTree::read(const Scene& scene) { return compared(reader_.read(scene), scene); }
 
 Facts ExecutionTree::compared(Facts facts, const Scene& scene) const {

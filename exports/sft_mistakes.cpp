@@ -35,6 +35,7 @@ class MistakeMaker {
     made_.shown.task = right_.task;
     made_.shown.mode = right_.mode;
     made_.shown.shortest = right_.shortest;
+    made_.shown.tempting = right_.tempting;
     double reward = 0;
     for (std::size_t i = 0; i < right_.steps.size(); ++i) {
       if (rng_.chance(rate_)) err(i);

@@ -71,6 +71,7 @@ enum class RejectionReason : std::uint8_t {
   TooManyFailures,
   GoalNotMet,
   MutationSucceeds,  // a step may be left out and the goal still holds
+  NotTempting,       // no plan as short breaks the goal's order or what has to stay
   NotInM2,
   NotInM3,
   // pipeline

@@ -69,6 +69,18 @@ StepRecord read_step(JsonReader& reader, const JsonAt& at) {
   return step;
 }
 
+std::vector<Command> read_plan(JsonReader& reader, const JsonAt& at) {
+  std::vector<Command> plan;
+  const std::size_t count = reader.items(at);
+  for (std::size_t i = 0; i < count && !reader.error(); ++i) {
+    const JsonAt item = reader.item(at, i);
+    JsonFields command(reader, item);
+    plan.push_back(read_command(reader, item, command));
+    command.finish();
+  }
+  return plan;
+}
+
 }  // namespace
 
 Result<DemonstrationRecord> read_demonstration(std::string_view where, int line, std::string_view text) {
@@ -81,15 +93,8 @@ Result<DemonstrationRecord> read_demonstration(std::string_view where, int line,
       for (std::size_t i = 0; i < count && !reader.error(); ++i)
         demonstration.steps.push_back(read_step(reader, reader.item(*f, i)));
     }
-    if (const auto f = fields.optional("shortest")) {
-      const std::size_t count = reader.items(*f);
-      for (std::size_t i = 0; i < count && !reader.error(); ++i) {
-        const JsonAt item = reader.item(*f, i);
-        JsonFields command(reader, item);
-        demonstration.shortest.push_back(read_command(reader, item, command));
-        command.finish();
-      }
-    }
+    if (const auto f = fields.optional("shortest")) demonstration.shortest = read_plan(reader, *f);
+    if (const auto f = fields.optional("tempting")) demonstration.tempting = read_plan(reader, *f);
   });
   if (!read) return read.error();
   return demonstration;

@@ -65,6 +65,7 @@ struct DemonstrationRecord {
   std::string task, mode;
   std::vector<StepRecord> steps;
   std::vector<Command> shortest = {};  // except in M1: a plan of one who is told everything
+  std::vector<Command> tempting = {};  // in M1, where the goal has constraints: a plan that breaks them
 };
 /// As read_task.
 Result<DemonstrationRecord> read_demonstration(std::string_view where, int line, std::string_view text);

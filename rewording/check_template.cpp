@@ -7,8 +7,8 @@
 #include "dataset/task_purpose.h"
 #include "generator/place_in_room.h"
 #include "generator/propose.h"
+#include "logic/constraints.h"
 #include "scene/json_parse.h"
-#include "validator/conjuncts.h"
 
 namespace unietp {
 namespace {

@@ -56,7 +56,7 @@ WrittenTask written_again(const TaskRecord& task, const Instruction& instruction
           {step.command, step.success, step.failure, step.feedback, step.visible, step.changes, step.search});
       written.row.actions.push_back(action_row(mode, steps.back()));
     }
-    written.shown.push_back(demonstration_line(task.id, mode, steps, demonstration.shortest));
+    written.shown.push_back(demonstration_line(task.id, mode, steps, {demonstration.shortest, demonstration.tempting}));
   }
   return written;
 }

@@ -105,36 +105,4 @@ std::vector<ReferringDomain> referring_domains(const Formula& goal) {
   return domains;
 }
 
-Formula without_constraints(Formula goal) {
-  const auto sometime = [](Formula part) {
-    Formula formula;
-    formula.op = Op::Sometime;
-    formula.children = {without_constraints(std::move(part))};
-    return formula;
-  };
-  switch (goal.op) {
-    case Op::Always:
-      return conjunction({});
-    case Op::Before:
-      return conjunction({sometime(std::move(goal.children[0])), sometime(std::move(goal.children[1]))});
-    case Op::Until:
-      return sometime(std::move(goal.children[1]));
-    case Op::Not:
-    case Op::Imply:
-      return goal;  // less asked for inside is more asked for outside
-    default:
-      break;
-  }
-  if (goal.op == Op::Count && goal.comparison == Comparison::Equal && goal.number > 0)
-    goal.comparison = Comparison::AtLeast;
-  for (Formula& child : goal.children) child = without_constraints(std::move(child));
-  return goal;
-}
-
-Formula without_references(Formula goal) {
-  goal.domain.where.clear();
-  for (Formula& child : goal.children) child = without_references(std::move(child));
-  return goal;
-}
-
 }  // namespace unietp

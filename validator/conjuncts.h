@@ -22,11 +22,4 @@ struct ReferringDomain {
 /// The referring domains of a goal, in order of text.
 std::vector<ReferringDomain> referring_domains(const Formula& goal);
 
-/// What a goal asks for without its constraints, which a hasty agent forgets: nothing has to stay as it is (`always`),
-/// nothing has to come first (`before`, `until`), and of "exactly n" more would do. The goal itself where it has none.
-Formula without_constraints(Formula goal);
-
-/// The goal with objects named by category alone: no domain has a `:where`.
-Formula without_references(Formula goal);
-
 }  // namespace unietp

@@ -15,6 +15,7 @@ constexpr std::string_view kStart = "made again from goal, start constraints, ho
 constexpr std::string_view kDelta = "in a step: equals what the replay gives; in a start: made again";
 constexpr std::string_view kCounted = "counted again";
 constexpr std::string_view kShortest = "done by one who is told everything: reaches the goal, and needs each step";
+constexpr std::string_view kTempting = "done in the start: reaches the goal but for its constraints, needs each step";
 constexpr std::string_view kLedger = "equals the row of the table rejection";
 constexpr std::string_view kSettled = "physics rebuilds the scene: same relations, everything at rest";
 constexpr std::string_view kReadBack = "read back: means the goal, has the style, is of the set of phrasings";
@@ -128,6 +129,8 @@ constexpr std::array kFieldRules{
     FieldInfo{"demonstration", "steps[].changes", Rule::Recomputed, kReplayed},
     FieldInfo{"demonstration", "shortest[].action", Rule::Compared, kShortest},
     FieldInfo{"demonstration", "shortest[].args", Rule::Compared, kShortest},
+    FieldInfo{"demonstration", "tempting[].action", Rule::Compared, kTempting},
+    FieldInfo{"demonstration", "tempting[].args", Rule::Compared, kTempting},
     FieldInfo{"rejection", "format", Rule::Fixed, kFormat},
     FieldInfo{"rejection", "slot", Rule::Recomputed, "from the order of the candidates"},
     FieldInfo{"rejection", "attempt", Rule::Recomputed, "from the order of the candidates"},

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/text.h"
+#include "logic/constraints.h"
 #include "logic/evaluate.h"
 #include "simulation/mode_episode.h"
 #include "simulation/view.h"

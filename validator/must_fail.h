@@ -25,7 +25,7 @@ struct AlteredPlan {
   PlanChange change = PlanChange::MissingStep;
   std::vector<Command> commands;
   bool reaches_goal = false;
-  bool breaks_constraint = false;  // it reaches the goal but for its constraints (without_constraints of conjuncts.h)
+  bool breaks_constraint = false;  // it reaches the goal but for its constraints (logic/constraints.h)
 };
 
 /// Result of running plans that must not reach the goal.

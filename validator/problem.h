@@ -74,6 +74,7 @@ enum class ProblemKind : std::uint8_t {
   DistractorServes,
   SearchMark,
   ShortestPlan,
+  TemptingPlan,
   // an instruction
   NoText,
   TextForm,

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/text.h"
+#include "logic/constraints.h"
 #include "logic/evaluate.h"
 #include "scene/start.h"
 #include "simulation/known_start.h"
@@ -168,12 +169,14 @@ class TaskProver {
     const auto search = mode == Mode::M1 ? std::vector<bool>() : search_steps(*goal_, world, traces, done.plan);
     found(check_marks(demonstration, search, where_shown(mode)));
     found(check_shortest(*goal_, world, traces, task_, mode, demonstration, where_shown(mode)));
+    found(check_tempting(*goal_, world, traces, mode, demonstration, where_shown(mode)));
     auto altered = must_fail(*goal_, world, mode, traces, done.plan, search, where_shown(mode));
     proof_.counts.altered_plans += static_cast<int>(altered.plans.size());
     found(std::move(altered.problems));
     if (mode == Mode::M1 && without_constraints(*goal_) != *goal_) {
       ++proof_.counts.constrained;
-      proof_.counts.tempting += std::any_of(altered.plans.begin(), altered.plans.end(),
+      proof_.counts.tempting += !demonstration.tempting.empty() ||
+                                std::any_of(altered.plans.begin(), altered.plans.end(),
                                             [](const AlteredPlan& plan) { return plan.breaks_constraint; });
     }
     if (!tools_.options.take_plan) return;

@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "logic/constraints.h"
 #include "logic/evaluate.h"
 #include "simulation/mode_episode.h"
 
@@ -33,6 +34,22 @@ bool goes_without(const Formula& goal, ToldEpisode here, const TraceMaker& trace
                   std::size_t left_out) {
   for (std::size_t i = left_out + 1; i < plan.size(); ++i) (void)here.act(plan[i]);
   return holds(goal, traces.of(here.changes));
+}
+
+/// What is wrong with a plan for a goal that needs each step, done in an episode.
+std::optional<std::string> fault_of(const Formula& goal, ToldEpisode& here, const TraceMaker& traces, Mode mode,
+                                    const std::vector<Command>& plan) {
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    const auto step = "step " + std::to_string(i + 1) + " " + to_text(plan[i]);
+    const auto type = action_named(plan[i].action);
+    if (!type || !offers(info(*type), mode)) return "has " + step + ", which the mode does not offer";
+    if (*type != ActionType::Stop && goes_without(goal, here, traces, plan, i))
+      return "reaches the goal without " + step + " as well";
+    if (!here.act(plan[i])) return "fails at " + step;
+  }
+  if (!here.episode.world().stopped()) return "does not end with stop()";
+  if (!holds(goal, traces.of(here.changes))) return "does not reach the goal";
+  return std::nullopt;
 }
 
 }  // namespace
@@ -78,16 +95,28 @@ std::vector<Problem> check_shortest(const Formula& goal, const World& start, con
   }
   if (plan.size() > demonstration.steps.size()) return found("is longer than the demonstration");
   ToldEpisode here{ModeEpisode(start, Mode::M1), {}};
-  for (std::size_t i = 0; i < plan.size(); ++i) {
-    const auto step = "step " + std::to_string(i + 1) + " " + to_text(plan[i]);
-    const auto type = action_named(plan[i].action);
-    if (!type || !offers(info(*type), mode)) return found("has " + step + ", which the mode does not offer");
-    if (*type != ActionType::Stop && goes_without(goal, here, traces, plan, i))
-      return found("reaches the goal without " + step + " as well");
-    if (!here.act(plan[i])) return found("fails at " + step);
+  if (const auto fault = fault_of(goal, here, traces, mode, plan)) return found(*fault);
+  return {};
+}
+
+std::vector<Problem> check_tempting(const Formula& goal, const World& start, const TraceMaker& traces, Mode mode,
+                                    const DemonstrationRecord& demonstration, const std::string& where) {
+  const auto found = [&where](std::string message) {
+    return std::vector{problem_in(ProblemKind::TemptingPlan, where, "its tempting plan " + std::move(message))};
+  };
+  const std::vector<Command>& plan = demonstration.tempting;
+  const bool wanted = mode == Mode::M1 && constrains_the_way(goal);
+  if (plan.empty()) return wanted ? found("is missing") : std::vector<Problem>();
+  if (!wanted) return found("is beside a goal that has no constraint, or not in M1");
+  Formula asked = without_constraints(goal);
+  if (plan.size() > demonstration.steps.size()) {
+    Formula all = without_references(asked);
+    if (all == asked) return found("is longer than the demonstration");
+    asked = std::move(all);
   }
-  if (!here.episode.world().stopped()) return found("does not end with stop()");
-  if (!holds(goal, traces.of(here.changes))) return found("does not reach the goal");
+  ToldEpisode here{ModeEpisode(start, Mode::M1), {}};
+  if (const auto fault = fault_of(asked, here, traces, mode, plan)) return found(*fault);
+  if (holds(goal, traces.of(here.changes))) return found("breaks no constraint");
   return {};
 }
 

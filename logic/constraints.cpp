@@ -1,0 +1,132 @@
+#include "logic/constraints.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace unietp {
+namespace {
+
+using Op = Formula::Op;
+
+Formula of_one(Op op, Formula part) {
+  Formula formula;
+  formula.op = op;
+  formula.children = {std::move(part)};
+  return formula;
+}
+
+/// What is true as soon as the formula is false.
+Formula opposite(Formula formula) {
+  if (formula.op == Op::Count && formula.comparison == Comparison::Equal && formula.number == 0 &&
+      formula.children.size() == 1) {
+    formula.comparison = Comparison::AtLeast;
+    formula.number = 1;
+    return formula;
+  }
+  return of_one(Op::Not, std::move(formula));
+}
+
+/// Whether an order only says how its second part is done: what a thing is filled with is poured from one that was
+/// filled with it before.
+bool is_pouring(const Formula& order) {
+  if (order.op != Op::Before) return false;
+  const Formula &first = order.children[0], &second = order.children[1];
+  return first.op == Op::Atom && second.op == Op::Atom &&
+         first.predicate == Predicate::Filled && second.predicate == Predicate::Filled &&
+         first.terms.back() == second.terms.back();
+}
+
+/// The variable of the whole of which a variable is a slice, by a conjunct of the goal; "" when there is none.
+std::string whole_of(const std::string& slice, const Formula& goal) {
+  if (goal.op == Op::Atom && goal.predicate == Predicate::SliceOf && goal.terms[0].name == slice)
+    return goal.terms[1].name;
+  for (const Formula& child : goal.children)
+    if (auto whole = whole_of(slice, child); !whole.empty()) return whole;
+  return {};
+}
+
+/// What is said of slices said of their wholes: nothing can be done to a slice that is not cut yet.
+Formula of_wholes(Formula formula, const Formula& goal) {
+  for (Term& term : formula.terms) {
+    auto whole = term.kind == Term::Kind::Variable ? whole_of(term.name, goal) : std::string();
+    if (!whole.empty()) term.name = std::move(whole);
+  }
+  for (Formula& child : formula.children) child = of_wholes(std::move(child), goal);
+  return formula;
+}
+
+/// The order of a `before` or `until` of a goal the other way around.
+Formula reversed(const Formula& order, const Formula& goal) {
+  Formula formula;
+  formula.op = Op::Before;
+  if (order.op == Op::Before)
+    formula.children = {of_wholes(order.children[1], goal), order.children[0]};
+  else
+    formula.children = {opposite(order.children[0]), order.children[1]};
+  return formula;
+}
+
+std::vector<Formula> with_one_reversed(const Formula& part, const Formula& goal) {
+  if (is_pouring(part)) return {};
+  if (part.op == Op::Before || part.op == Op::Until) return {reversed(part, goal)};
+  if (part.op == Op::Always || part.op == Op::Not || part.op == Op::Imply) return {};
+  std::vector<Formula> all;
+  for (std::size_t i = 0; i < part.children.size(); ++i) {
+    for (Formula& inner : with_one_reversed(part.children[i], goal)) {
+      Formula around = without_constraints(part);
+      around.children[i] = std::move(inner);
+      all.push_back(std::move(around));
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+Formula without_constraints(Formula goal) {
+  if (is_pouring(goal)) return goal;
+  switch (goal.op) {
+    case Op::Always:
+      return conjunction({});
+    case Op::Before:
+      return conjunction({of_one(Op::Sometime, without_constraints(std::move(goal.children[0]))),
+                          of_one(Op::Sometime, without_constraints(std::move(goal.children[1])))});
+    case Op::Until:
+      return of_one(Op::Sometime, without_constraints(std::move(goal.children[1])));
+    case Op::Not:
+    case Op::Imply:
+      return goal;  // less asked for inside is more asked for outside
+    default:
+      break;
+  }
+  if (goal.op == Op::Count && goal.comparison == Comparison::Equal && goal.number > 0)
+    goal.comparison = Comparison::AtLeast;
+  for (Formula& child : goal.children) child = without_constraints(std::move(child));
+  return goal;
+}
+
+Formula without_references(Formula goal) {
+  goal.domain.where.clear();
+  for (Formula& child : goal.children) child = without_references(std::move(child));
+  return goal;
+}
+
+bool constrains_the_way(const Formula& goal) {
+  if (is_pouring(goal)) return false;
+  switch (goal.op) {
+    case Op::Always:
+    case Op::Before:
+    case Op::Until:
+      return true;
+    case Op::Not:
+    case Op::Imply:
+      return false;  // as without_constraints, which leaves them as they are
+    default:
+      return std::any_of(goal.children.begin(), goal.children.end(), constrains_the_way);
+  }
+}
+
+std::vector<Formula> with_an_order_reversed(const Formula& goal) { return with_one_reversed(goal, goal); }
+
+}  // namespace unietp
