@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -16,7 +17,7 @@ namespace unietp {
 namespace {
 
 constexpr int kTriesPerDecoy = 4;
-constexpr std::size_t kMostAdded = 15;  // to one start
+constexpr std::size_t kMostAdded = 20;  // to one start
 constexpr std::size_t kMostMoved = 12;
 
 /// All that a category is called or stands for in texts.
@@ -43,7 +44,8 @@ class Decoys {
     }
     for (const auto& [category, places] : goal_places(specification.goal)) places_.insert(places.begin(), places.end());
     for (const Effect& effect : knowledge().effects()) {
-      if (effect.treatment == Treatment::Slices && effect.gives != effect.target) sliced_.insert(effect.gives);
+      if (effect.treatment == Treatment::Slices && effect.gives != effect.target)
+        sliced_.emplace(effect.gives, effect.target);
     }
   }
 
@@ -53,7 +55,12 @@ class Decoys {
     asked.erase(std::unique(asked.begin(), asked.end()), asked.end());
     for (const std::string& category : asked) {
       const auto rooms = rooms_of_added(category);
-      if (!rooms.empty()) add_for(*knowledge().find(category), rooms);
+      const auto number = static_cast<int>(number_in_home(category));
+      if (!rooms.empty()) {
+        add_for(*knowledge().find(category), number, rooms);
+      } else if (number > 1 && is_movable(category)) {  // others come to be as many
+        add_for(*knowledge().find(category), number - 1, {nullptr});
+      }
       for (const Room* room : rooms_of_moved(category)) move_into(room);
     }
     return static_cast<int>(added_ + moved_);
@@ -94,10 +101,16 @@ class Decoys {
 
   std::size_t number_in_home(const std::string& category) const { return home_.places.of(category).size(); }
 
+  /// The category whose places and rooms are a category's: a slice lies where the whole does.
+  std::string_view kept_as(const Category& category) const {
+    const auto whole = sliced_.find(category.name);
+    return whole == sliced_.end() ? std::string_view(category.name) : whole->second;
+  }
+
   bool can_be_decoy(const Category& category) {
     const auto* household = workspace().household();
     return category.movable && !spoken_.contains(category.name) &&
-           (household == nullptr || !household->places_of(category.name).empty());
+           (household == nullptr || !household->places_of(kept_as(category)).empty());
   }
 
   bool is_spoken_of(const Category& category) {
@@ -108,9 +121,13 @@ class Decoys {
     });
   }
 
-  /// Those of which the home has as many as of the category come first, in a random order.
-  std::vector<const Category*> like(const Category& asked) {
-    const auto number = static_cast<int>(number_in_home(asked.name));
+  bool is_movable(const std::string& name) {
+    const Category* category = knowledge().find(name);
+    return category != nullptr && category->movable;
+  }
+
+  /// Those of which the home has that number come first, in a random order.
+  std::vector<const Category*> like(const Category& asked, int number) {
     const bool has_models = !knowledge().assets_of(asked.name).empty();
     const bool is_sliced = sliced_.contains(asked.name);  // no home has those
     std::vector<std::pair<int, const Category*>> others;
@@ -127,9 +144,9 @@ class Decoys {
     return alike;
   }
 
-  void add_for(const Category& asked, const std::vector<const Room*>& rooms) {
+  void add_for(const Category& asked, int number, const std::vector<const Room*>& rooms) {
     int left = kDecoys, tries = kTriesPerDecoy * kDecoys;
-    for (const Category* category : like(asked)) {
+    for (const Category* category : like(asked, number)) {
       if (left == 0 || tries == 0 || added_ + rooms.size() > kMostAdded) break;
       const bool suits =
           std::all_of(rooms.begin(), rooms.end(), [&](const Room* room) { return is_kept_in(*category, room); });
@@ -173,7 +190,7 @@ class Decoys {
   bool is_kept_in(const Category& category, const Room* room) {
     const auto* household = workspace().household();
     return room == nullptr || household == nullptr ||
-           household->in_room(category.name, room->type) >= Household::kNoRoom;
+           household->in_room(kept_as(category), room->type) >= Household::kNoRoom;
   }
 
   /// Where a task could want such a thing to be: in one of its usual places, which its start then keeps it from.
@@ -181,7 +198,7 @@ class Decoys {
     const auto* household = workspace().household();
     if (household == nullptr) return {};
     std::vector<double> weights;
-    const auto& places = household->places_of(category.name);
+    const auto& places = household->places_of(kept_as(category));
     for (const auto& place : places) weights.push_back(place.weight);
     return places[rng_.weighted(weights)].receptacle;
   }
@@ -228,7 +245,7 @@ class Decoys {
   std::set<std::string, std::less<>> spoken_;  // categories
   std::set<std::string_view> names_;           // of these
   std::set<std::string> places_;               // categories of places that the goal names
-  std::set<std::string_view> sliced_;          // categories that only slicing makes
+  std::map<std::string_view, std::string_view> sliced_;  // categories that only slicing makes: of what
   std::size_t added_ = 0, moved_ = 0;
 };
 

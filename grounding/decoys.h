@@ -18,6 +18,6 @@ namespace unietp {
 int add_decoys(SceneEditor& editor, const Specification& specification, const Home& home, Rng rng);
 
 /// Categories for each one of the goal that was added to, things for each one that was moved.
-inline constexpr int kDecoys = 5;
+inline constexpr int kDecoys = 7;
 
 }  // namespace unietp
