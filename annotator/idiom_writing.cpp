@@ -170,8 +170,9 @@ namespace {
 bool says_the_place(const NounPhrase& things, const Complement& said) {
   if (things.modifiers.size() != 1 || things.modifiers[0].object.size() != 1 || said.object.size() != 1) return false;
   const Complement& told = things.modifiers[0];
-  return told.predicate == said.predicate && told.negated == said.negated && told.object[0].noun == said.object[0].noun &&
-         said.object[0].modifiers.empty() && told.object[0].modifiers.empty();
+  return told.predicate == said.predicate && told.negated == said.negated &&
+         told.object[0].noun == said.object[0].noun && said.object[0].modifiers.empty() &&
+         told.object[0].modifiers.empty();
 }
 
 }  // namespace
@@ -183,7 +184,8 @@ std::optional<std::string> left_alone(const Clause& clause, Naming& naming) {
   if (subject.determiner == Determiner::Every && says_the_place(subject, said) && naming.was_named_kind(subject.noun)) {
     const Text where = naming.complement(subject.modifiers[0], {});
     if (!where) return std::nullopt;
-    return subject.there == 1 ? "leave the one " + *where + " where it is" : "leave the ones " + *where + " where they are";
+    return subject.there == 1 ? "leave the one " + *where + " where it is"
+                              : "leave the ones " + *where + " where they are";
   }
   if (subject.determiner == Determiner::Every && said.predicate == P::On && naming.distracts()) {
     const auto all = naming.phrase(subject, {.together = true});

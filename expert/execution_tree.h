@@ -27,8 +27,8 @@ class ExecutionTree {
   static Result<ExecutionTree> of(const Formula& goal, const Scene& start, const Knowledge& knowledge,
                                   const Profile& profile, KnownStart known);
 
-  /// The same tree for another goal, which must outlive it and compare nothing that this goal does not compare. What was
-  /// executed so far costs it nothing.
+  /// The same tree for another goal, which must outlive it and compare nothing that this goal does not compare. What
+  /// was executed so far costs it nothing.
   ExecutionTree with_goal(const Formula& goal) const;
 
   /// What it was made of.

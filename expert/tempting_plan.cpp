@@ -25,8 +25,8 @@ bool needs_each_step(ExecutionTree& executions, const std::vector<Action>& plan)
   return true;
 }
 
-/// The expert's plan for a hasty reading of the goal, if it reaches what was asked, needs each step for that, and breaks
-/// the goal.
+/// The expert's plan for a hasty reading of the goal, if it reaches what was asked, needs each step for that, and
+/// breaks the goal.
 std::vector<Action> plan_for(const Formula& hasty, const Formula& asked, const ExecutionTree& executions,
                              const ExpertOptions& options) {
   ExecutionTree branch = executions.with_goal(hasty);

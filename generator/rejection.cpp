@@ -96,7 +96,8 @@ constexpr std::array<ReasonInfo, kRejectionReasonCount> kReasons{{
     {Reason::MutationSucceeds, Stage::Expert, "mutation-succeeds",
      "the goal still holds without one of the steps: the goal requires less than the plan does"},
     {Reason::NotTempting, Stage::Expert, "not-tempting",
-     "nobody who forgets the order, or what has to stay as it is, would break it in as few steps: let `init` offer such "
+     "nobody who forgets the order, or what has to stay as it is, would break it in as few steps: let `init` offer "
+     "such "
      "a way"},
     {Reason::NotInM2, Stage::Expert, "not-in-m2", ""},
     {Reason::NotInM3, Stage::Expert, "not-in-m3", ""},

@@ -242,9 +242,9 @@ class Decoys {
   SceneEditor& editor_;
   const Home& home_;
   Rng rng_;
-  std::set<std::string, std::less<>> spoken_;  // categories
-  std::set<std::string_view> names_;           // of these
-  std::set<std::string> places_;               // categories of places that the goal names
+  std::set<std::string, std::less<>> spoken_;            // categories
+  std::set<std::string_view> names_;                     // of these
+  std::set<std::string> places_;                         // categories of places that the goal names
   std::map<std::string_view, std::string_view> sliced_;  // categories that only slicing makes: of what
   std::size_t added_ = 0, moved_ = 0;
 };

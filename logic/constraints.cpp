@@ -32,9 +32,8 @@ Formula opposite(Formula formula) {
 bool is_pouring(const Formula& order) {
   if (order.op != Op::Before) return false;
   const Formula &first = order.children[0], &second = order.children[1];
-  return first.op == Op::Atom && second.op == Op::Atom &&
-         first.predicate == Predicate::Filled && second.predicate == Predicate::Filled &&
-         first.terms.back() == second.terms.back();
+  return first.op == Op::Atom && second.op == Op::Atom && first.predicate == Predicate::Filled &&
+         second.predicate == Predicate::Filled && first.terms.back() == second.terms.back();
 }
 
 /// The variable of the whole of which a variable is a slice, by a conjunct of the goal; "" when there is none.

@@ -138,8 +138,7 @@ std::variant<Instruction, Rejection> instruct(const Specification& specification
 std::optional<Rejection> tempt(Demonstration& demonstration, const ExecutionTree& executions) {
   if (!constrains_the_way(executions.goal())) return std::nullopt;
   demonstration.tempting = tempting_plan(executions, demonstration);
-  if (demonstration.tempting.empty())
-    return Rejection{RejectionReason::NotTempting, to_text(executions.goal())};
+  if (demonstration.tempting.empty()) return Rejection{RejectionReason::NotTempting, to_text(executions.goal())};
   return std::nullopt;
 }
 

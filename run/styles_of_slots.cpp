@@ -17,8 +17,8 @@ using Counts = std::array<int, kStyleCount>;
 std::size_t position(Style style) { return static_cast<std::size_t>(style); }
 
 /// How many slots are dealt a style for ten of another. Goals by function and by kind have many words to be said in,
-/// which more tasks show; of the others that have more, fewer goals find their words. "A couple of mugs" still names its
-/// category, and so has fewer.
+/// which more tasks show; of the others that have more, fewer goals find their words. "A couple of mugs" still names
+/// its category, and so has fewer.
 int share_of(Style style) {
   switch (style) {
     case Style::Hypernym:

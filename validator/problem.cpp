@@ -74,8 +74,9 @@ constexpr std::array kProblems{
                 "a step is marked as search and needed for the goal itself, or the reverse"},
     ProblemInfo{Kind::ShortestPlan, "shortest-plan",
                 "the shortest plan beside a demonstration is not one, or its length is not that of the task's line"},
-    ProblemInfo{Kind::TemptingPlan, "tempting-plan",
-                "the plan beside a demonstration that breaks only the goal's constraints is missing, or does not do that"},
+    ProblemInfo{
+        Kind::TemptingPlan, "tempting-plan",
+        "the plan beside a demonstration that breaks only the goal's constraints is missing, or does not do that"},
     ProblemInfo{Kind::NoText, "no-text", "a task has no instruction"},
     ProblemInfo{Kind::TextForm, "text-form",
                 "an instruction contains ids, coordinates, template names or markup, or is not English"},

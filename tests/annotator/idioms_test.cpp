@@ -78,6 +78,14 @@ constexpr Said kSaid[] = {
      "(and (exists (?f - (Fridge :where (open ?f))) (at-end (closed ?f)))"
      " (forall (?y - (Fridge :where (closed ?y))) (always (closed ?y))))",
      "the others"},
+    {"Put a mug in the fridge. Leave the one on the table where it is.",
+     "(exists (?f - Fridge) (exists (?m - Mug) (and (at-end (inside ?m ?f))"
+     " (forall (?d - (Mug :where (exists (?t - Table) (on ?d ?t)))) (always (exists (?t - Table) (on ?d ?t)))))))",
+     "where they are"},
+    {"Put a mug on the table. Don't open the fridge, it's still running.",
+     "(exists (?t - Table) (exists (?m - Mug) (and (at-end (on ?m ?t))"
+     " (forall (?f - (Fridge :where (power_on ?f))) (always (closed ?f))))))",
+     nullptr},
     {"Take the mug out of the fridge and put it on a table.",
      "(exists (?m - (Mug :where (exists (?f - Fridge) (inside ?m ?f)))) (exists (?t - Table) (at-end (on ?m ?t))))",
      "ake the mug out of the fridge and put it on"},

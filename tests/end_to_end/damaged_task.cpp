@@ -291,6 +291,29 @@ const std::vector<Corruption> kCorruptions{
        s.demonstration["shortest"] = Json::array({{{"action", "stop"}, {"args", Json::array()}}});
        return true;
      }},
+    {"ATemptingPlanWithoutAConstraint", "tempting-plan",
+     [](DamagedTask& s) {
+       if (s.demonstration.contains("tempting")) return false;
+       s.demonstration["tempting"] = Json::array({{{"action", "stop"}, {"args", Json::array()}}});
+       return true;
+     }},
+    {"ATemptingPlanThatIsMissing", "tempting-plan",
+     [](DamagedTask& s) { return s.demonstration.erase("tempting") > 0; }},
+    {"ATemptingPlanThatBreaksNothing", "tempting-plan",
+     [](DamagedTask& s) {
+       if (!s.demonstration.contains("tempting")) return false;
+       Json plan = Json::array();
+       for (const Json& step : steps_of(s)) plan.push_back({{"action", step["action"]}, {"args", step["args"]}});
+       s.demonstration["tempting"] = std::move(plan);
+       return true;
+     }},
+    {"ATemptingPlanWithADetour", "tempting-plan",
+     [](DamagedTask& s) {
+       if (!s.demonstration.contains("tempting")) return false;
+       Json& plan = s.demonstration["tempting"];
+       plan.insert(plan.begin(), plan.front());
+       return true;
+     }},
     {"AStepThatIsNotNeeded", "needless-step", [](DamagedTask& s) { return ask_for_less(s, "go_to"); }},
     {"SomethingThatMayStayInTheHand", "left-in-hand", [](DamagedTask& s) { return ask_for_less(s, "place_on"); }},
     {"AnOrderThatDoesNotMatter", "any-order",

@@ -53,7 +53,7 @@ TEST(Referring, TemplatesThatReferAreProven) {
 }
 
 TEST(Referring, StylesOfATemplateAreProven) {
-  expect_proven({"put-in-before-closing", "linguistic", "", "inverted-order", {"Before you"}}, "ai2thor,habitat");
+  expect_proven({"close-before-opening", "linguistic", "", "inverted-order", {"Before you"}}, "ai2thor,habitat");
   expect_proven({"switch-on-what-was-filled", "linguistic", "", "subordinate-clause", {"Once it's in", "As soon as"}},
                 "ai2thor,virtualhome");
   expect_proven({"place-a-couple-inside", "linguistic", "", "vague-quantity", {"a couple of"}}, "virtualhome,habitat");

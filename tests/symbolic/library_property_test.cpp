@@ -42,7 +42,7 @@ struct Tally {
 /// another one that was soaked in time is as good. What cannot be carried to a tap cannot be watered before any vessel
 /// is filled. Who opens nothing has left the wrong machine shut and the right one too.
 bool cannot_be_made(const Specification& made, const Knowledge& knowledge, Mistake mistake) {
-  if (mistake == Mistake::Decoy) return made.template_name == "move-all-never-open";
+  if (mistake == Mistake::Decoy) return made.template_name == "place-never-open";
   if (mistake != Mistake::WrongOrder) return false;
   const auto stays = [&](const auto& bound) {
     return bound.first == "B" && !knowledge.has(bound.second, "pickupable");

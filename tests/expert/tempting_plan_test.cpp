@@ -1,0 +1,92 @@
+#include "expert/tempting_plan.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/expert/house.h"
+
+namespace unietp::testing {
+namespace {
+
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+struct TemptingPlan : ::testing::Test {
+  const Knowledge knowledge = house_knowledge();
+  const Profile profile = house_profile();
+  Scene start = house();
+
+  /// The demonstration of a goal, and what somebody would do who forgets its constraints.
+  std::vector<Action> of(const std::string& text) {
+    goal_ = goal(text);
+    auto executions = ExecutionTree::of(goal_, start, knowledge, profile);
+    EXPECT_TRUE(executions);
+    auto shown = demonstrate(*executions, {});
+    EXPECT_TRUE(std::holds_alternative<Demonstration>(shown)) << text;
+    if (!std::holds_alternative<Demonstration>(shown)) return {};
+    shown_ = std::get<Demonstration>(std::move(shown));
+    return tempting_plan(*executions, shown_);
+  }
+
+  bool reaches(const std::string& text, const std::vector<Action>& plan) const {
+    const Formula judged = goal(text);
+    auto executions = ExecutionTree::of(judged, start, knowledge, profile);
+    World world = executions->world();
+    std::vector<MomentId> moments{world.moment()};
+    for (const Action& action : plan) {
+      EXPECT_TRUE(executions->step(world, action).success()) << to_text(action);
+      moments.push_back(world.moment());
+    }
+    return executions->reaches_goal(std::move(moments));
+  }
+
+  Formula goal_;
+  Demonstration shown_;
+};
+
+TEST_F(TemptingPlan, DoesWhatShouldComeSecondFirst) {
+  const std::string ordered =
+      "(exists (?x - Lamp) (exists (?y - Laptop) (and (before (power_on ?x) (power_on ?y))"
+      " (at-end (and (power_on ?x) (power_on ?y))))))";
+  const auto plan = of(ordered);
+  ASSERT_THAT(plan, Not(IsEmpty()));
+  EXPECT_LE(plan.size(), shown_.steps.size());
+  EXPECT_FALSE(reaches(ordered, plan));
+  EXPECT_TRUE(reaches(
+      "(exists (?x - Lamp) (exists (?y - Laptop) (and (before (power_on ?y) (power_on ?x)) (at-end (power_on ?x)))))",
+      plan));
+}
+
+TEST_F(TemptingPlan, TakesWhatHasToStayIfThatIsNearer) {
+  const std::string stays =
+      "(exists (?t - SideTable) (exists (?a - Mug) (and (at-end (on ?a ?t))"
+      " (forall (?m - (Mug :where (exists (?c - CounterTop) (on ?m ?c)))) (always (exists (?d - CounterTop) (on ?m "
+      "?d)))))))";
+  const auto plan = of(stays);
+  if (plan.empty()) GTEST_FAIL() << "no mug on the counter is as near as another";
+  EXPECT_LE(plan.size(), shown_.steps.size());
+  EXPECT_FALSE(reaches(stays, plan));
+  EXPECT_TRUE(reaches("(exists (?t - SideTable) (exists (?a - Mug) (at-end (on ?a ?t))))", plan));
+}
+
+TEST_F(TemptingPlan, DoesToAllWhatIsMeantForAllButSome) {
+  set_state(start, "mug_1", Predicate::Dirty);
+  const std::string but =
+      "(exists (?t - SideTable) (and (forall (?a - (Mug :where (not (dirty ?a)))) (at-end (on ?a ?t)))"
+      " (always (forall (?a - (Mug :where (dirty ?a))) (not (on ?a ?t))))))";
+  const auto plan = of(but);
+  ASSERT_THAT(plan, Not(IsEmpty()));
+  EXPECT_GT(plan.size(), shown_.steps.size());
+  EXPECT_FALSE(reaches(but, plan));
+  EXPECT_TRUE(reaches("(exists (?t - SideTable) (forall (?a - Mug) (at-end (on ?a ?t))))", plan));
+}
+
+TEST_F(TemptingPlan, IsNoneWhereNothingElseIsAsShort) {
+  EXPECT_THAT(of("(exists (?f - Fridge) (exists (?a - Apple) (at-end (inside ?a ?f))))"), IsEmpty()) << "no constraint";
+  EXPECT_THAT(of("(exists (?x - Lamp) (and (at-end (power_on ?x)) (forall (?f - Fridge) (always (closed ?f)))))"),
+              IsEmpty())
+      << "nobody opens the fridge for that";
+}
+
+}  // namespace
+}  // namespace unietp::testing
