@@ -261,9 +261,10 @@ std::optional<std::string> ClauseWriter::worded(const Clause& clause) {
         patterns = {"sprinkle {m} on {s}"};
       if (naming_.everyday() && !said_not(clause) && is_drizzled(clause.complements[0].symbol))
         patterns = {"drizzle {m} over {s}"};
-      // One moves an apple to a shelf, and puts it on a plate.
+      // One moves an apple to a shelf, and puts it on a plate or in a toaster.
       const auto& places = clause.complements[0].object;
-      if (naming_.everyday() && !places.empty() && naming_.is_carried(places[0].noun))
+      if (naming_.everyday() && !places.empty() &&
+          (naming_.is_carried(places[0].noun) || naming_.heats_food(places[0].noun)))
         std::erase_if(patterns, [](const std::string& pattern) { return pattern == "move {s} to {o}"; });
       // "Grab something to wear": what is named by its use is looked for.
       if (naming_.everyday() && naming_.names_by_use(clause.subjects[0].noun) &&

@@ -33,6 +33,12 @@ bool Naming::is_plant(const Domain& noun) const {
   return name != nullptr && name->singular.ends_with("plant");
 }
 
+bool Naming::heats_food(const Domain& noun) const {
+  const NounTable::Name* name = noun.members.size() == 1 ? lexicon_.display(noun.members[0].category) : nullptr;
+  return name != nullptr && (name->singular.ends_with("toaster") || name->singular.ends_with("oven") ||
+                             name->singular.ends_with("microwave") || name->singular.ends_with("stove"));
+}
+
 bool Naming::comes_from_a_shaker(const std::string& substance) const {
   return substance == "black_pepper" || lexicon_.display(substance + "_shaker") != nullptr;
 }

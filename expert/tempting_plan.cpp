@@ -53,8 +53,18 @@ std::vector<Action> tempting_plan(const ExecutionTree& executions, const Demonst
   }
   if (!has_operator(goal, {Formula::Op::Always})) return {};
   const Formula all = without_references(asked);
-  auto plan = plan_for(all, all, executions, {});
-  return plan.size() > shown.steps.size() ? plan : std::vector<Action>();
+  std::vector<Action> done;
+  for (const DemonstrationStep& step : shown.steps) done.push_back(step.action);
+  ExecutionTree of_all = executions.with_goal(all);
+  if (reaches(of_all, done)) return {};  // nothing is left out
+  return plan_for(all, all, executions, {});
+}
+
+std::optional<Rejection> add_tempting_plan(Demonstration& demonstration, const ExecutionTree& executions) {
+  if (!constrains_the_way(executions.goal())) return std::nullopt;
+  demonstration.tempting = tempting_plan(executions, demonstration);
+  if (demonstration.tempting.empty()) return Rejection{RejectionReason::NotTempting, to_text(executions.goal())};
+  return std::nullopt;
 }
 
 }  // namespace unietp

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "expert/demonstration.h"
 #include "expert/execution_tree.h"
+#include "generator/rejection.h"
 
 namespace unietp {
 
@@ -14,5 +16,9 @@ namespace unietp {
 /// when there is none: then the constraints forbid nothing that anybody would do, or only constrain the end.
 /// Deterministic.
 std::vector<Action> tempting_plan(const ExecutionTree& executions, const Demonstration& shown);
+
+/// Stage: gives a demonstration in M1 that plan. Rejected as `not-tempting` if the goal constrains the way to it and
+/// there is none.
+std::optional<Rejection> add_tempting_plan(Demonstration& demonstration, const ExecutionTree& executions);
 
 }  // namespace unietp

@@ -48,6 +48,12 @@ class FactsOfRooms {
       return facts_.holds(Predicate::Closed, container) || is_shut_away(container, levels - 1);
     }) || facts_.any_related(Predicate::On, one, [&](EntityIndex below) { return is_shut_away(below, levels - 1); });
   }
+  /// Whether something carries or holds both.
+  bool lie_side_by_side(EntityIndex one, EntityIndex other) const {
+    const auto holds_other = [&](EntityIndex below) { return on_or_in(other, below); };
+    return facts_.any_related(Predicate::On, one, holds_other) ||
+           facts_.any_related(Predicate::Inside, one, holds_other);
+  }
   bool on_or_in(EntityIndex one, EntityIndex other) const {
     return facts_.holds(Predicate::On, one, other) || facts_.holds(Predicate::Inside, one, other);
   }
@@ -67,6 +73,8 @@ std::optional<std::string> odd_nearness(const Entities& meant, Entities others, 
       if (!home.share_a_room(one, landmark)) return "that is in another room";
     }
     if (!home.in_room_of_any(one, others)) return "no other one is seen in the room";
+    const auto is_beside = [&](EntityIndex other) { return home.lie_side_by_side(one, other); };
+    if (std::all_of(others.begin(), others.end(), is_beside)) return "they lie side by side";
   }
   return std::nullopt;
 }

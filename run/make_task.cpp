@@ -14,7 +14,6 @@
 #include "generator/propose.h"
 #include "generator/weighted_binding.h"
 #include "grounding/ground.h"
-#include "logic/constraints.h"
 #include "run/category_weights.h"
 #include "run/fit_of_home.h"
 #include "run/given_binding.h"
@@ -133,15 +132,6 @@ std::variant<Instruction, Rejection> instruct(const Specification& specification
   return std::move(*instruction);
 }
 
-/// Gives a demonstration in M1 the plan that the goal's order, or what has to stay, forbids; without one they would
-/// forbid nothing that anybody would do.
-std::optional<Rejection> tempt(Demonstration& demonstration, const ExecutionTree& executions) {
-  if (!constrains_the_way(executions.goal())) return std::nullopt;
-  demonstration.tempting = tempting_plan(executions, demonstration);
-  if (demonstration.tempting.empty()) return Rejection{RejectionReason::NotTempting, to_text(executions.goal())};
-  return std::nullopt;
-}
-
 /// Gives the task its demonstrations in all modes.
 std::optional<Rejection> show(Task& task, ExecutionTree& executions, const std::vector<Mode>& modes,
                               const Household* usual, StageTimer& timer) {
@@ -161,7 +151,7 @@ std::optional<Rejection> show(Task& task, ExecutionTree& executions, const std::
   const auto needless = needless_steps(executions, task.demonstration);
   if (!needless.empty()) return Rejection{RejectionReason::MutationSucceeds, join(needless, "; ")};
 
-  if (auto why = tempt(task.demonstration, executions)) return why;
+  if (auto why = add_tempting_plan(task.demonstration, executions)) return why;
 
   timer.enter(Stage::OtherModes);
   for (const Mode mode : modes) {

@@ -100,7 +100,8 @@ std::vector<Problem> check_shortest(const Formula& goal, const World& start, con
 }
 
 std::vector<Problem> check_tempting(const Formula& goal, const World& start, const TraceMaker& traces, Mode mode,
-                                    const DemonstrationRecord& demonstration, const std::string& where) {
+                                    const DemonstrationRecord& demonstration, const Trace& shown,
+                                    const std::string& where) {
   const auto found = [&where](std::string message) {
     return std::vector{problem_in(ProblemKind::TemptingPlan, where, "its tempting plan " + std::move(message))};
   };
@@ -110,9 +111,8 @@ std::vector<Problem> check_tempting(const Formula& goal, const World& start, con
   if (!wanted) return found("is beside a goal that has no constraint, or not in M1");
   Formula asked = without_constraints(goal);
   if (plan.size() > demonstration.steps.size()) {
-    Formula all = without_references(asked);
-    if (all == asked) return found("is longer than the demonstration");
-    asked = std::move(all);
+    asked = without_references(asked);
+    if (holds(asked, shown)) return found("is longer than the demonstration");
   }
   ToldEpisode here{ModeEpisode(start, Mode::M1), {}};
   if (const auto fault = fault_of(asked, here, traces, mode, plan)) return found(*fault);

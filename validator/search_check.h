@@ -31,7 +31,9 @@ std::vector<Problem> check_shortest(const Formula& goal, const World& start, con
 /// The tempting plan beside a demonstration in M1: it is there if the goal constrains the way to it
 /// (logic/constraints.h) and only then, has no more steps than the demonstration, or does to all things what the goal
 /// does to some; each step succeeds and is needed, and it reaches the goal without its constraints, but not the goal.
+/// `shown`: the trace of the demonstration.
 std::vector<Problem> check_tempting(const Formula& goal, const World& start, const TraceMaker& traces, Mode mode,
-                                    const DemonstrationRecord& demonstration, const std::string& where);
+                                    const DemonstrationRecord& demonstration, const Trace& shown,
+                                    const std::string& where);
 
 }  // namespace unietp

@@ -80,8 +80,8 @@ constexpr Said kSaid[] = {
      "the others"},
     {"Put a mug in the fridge. Leave the one on the table where it is.",
      "(exists (?f - Fridge) (exists (?m - Mug) (and (at-end (inside ?m ?f))"
-     " (forall (?d - (Mug :where (exists (?t - Table) (on ?d ?t)))) (always (exists (?t - Table) (on ?d ?t)))))))",
-     "where they are"},
+     " (always (forall (?d - (Mug :where (exists (?t - Table) (on ?d ?t)))) (exists (?u - Table) (on ?d ?u)))))))",
+     nullptr},
     {"Put a mug on the table. Don't open the fridge, it's still running.",
      "(exists (?t - Table) (exists (?m - Mug) (and (at-end (on ?m ?t))"
      " (forall (?f - (Fridge :where (power_on ?f))) (always (closed ?f))))))",

@@ -64,8 +64,10 @@ TEST(WriteInstruction, EveryTemplateOfTheLibraryReadsBackAndItsNeighboursDoNot) 
         for (std::uint64_t draw = 0; draw < 20; ++draw) {
           const auto text = write_instruction(*specification, *knowledge, nouns, {}, Rng(draw));
           ASSERT_TRUE(text) << format(text.error());
-          // No operator by operator, as nobody speaks; "in the dining room" needs a home that has one.
-          const bool plain = source.name.ends_with("-all-in-room") || text->text.find(": ") == std::string::npos;
+          // No operator by operator, as nobody speaks; "in the dining room" needs a home that has one, and so does
+          // "leave the one on the table where it is".
+          const bool plain = source.name.ends_with("-all-in-room") || source.name == "place-inside-leave-others-on" ||
+                             text->text.find(": ") == std::string::npos;
           spelled_out += plain ? 0 : 1;
           ++written;
           if (draw > 0) continue;

@@ -143,6 +143,7 @@ TEST_F(WrongTexts, RightOnesOfEveryStyleAreNotRefusedByTheirWords) {
   const auto look_at = [&](const Specification& task, const char* style, std::uint64_t seed) {
     const auto text = text_of(task, seed, style);
     if (!text || name_of(text->style) != style) return;
+    if (text->text.find(": for ") != std::string::npos) return;  // operator by operator, where a text needs a home
     Specification styled = task;
     styled.style = style_named(style).value();
     const auto narrowed = narrowed_for(styled, *knowledge_, *nouns_);

@@ -55,7 +55,7 @@ TEST(Lines, ADemonstrationFollowsItsSchema) {
         demonstration_line("ai2thor-00001", mode,
                            {{mode == Mode::M3 ? box : open, false, "too-far", "it is too far", visible, none},
                             {stop, true, "none", "", {}, none, false}},
-                           {open, stop});
+                           {{open, stop}, {open, stop}});
     EXPECT_EQ(broken(line, "demonstration.schema.json"), "");
   }
 }

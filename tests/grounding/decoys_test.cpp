@@ -115,14 +115,35 @@ TEST_F(DecoyStart, HasOtherThingsThatWereMovedToTheSameRooms) {
   EXPECT_GE(moved_others, 2 * moved_mugs);
 }
 
-TEST_F(DecoyStart, IsTheHomeWhereNothingOfTheGoalWasChanged) {
+TEST_F(DecoyStart, IsTheHomeWhereNothingOfTheGoalWasChangedAndItHasOne) {
   int starts = 0;
-  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 24; ++seed) {
     const Home lived_in = home(seed);
     const auto plain = start(lived_in, 1, false), made = start(lived_in, 1, true);
-    if (!plain || !plain->edits.empty()) continue;
+    if (!plain || !plain->edits.empty() || lived_in.places.of("Mug").size() > 1) continue;
     ++starts;
     EXPECT_EQ(made->start, plain->start);
+  }
+  EXPECT_GE(starts, 1);
+}
+
+TEST_F(DecoyStart, HasOthersAsOftenWhereNothingWasChangedAndItHasSeveral) {
+  int starts = 0;
+  for (std::uint64_t seed = 1; seed <= 24; ++seed) {
+    const Home lived_in = home(seed);
+    const std::size_t mugs = lived_in.places.of("Mug").size();
+    const auto plain = start(lived_in, 1, false), made = start(lived_in, 1, true);
+    if (!plain || !plain->edits.empty() || mugs < 2) continue;
+    ++starts;
+    const auto added = added_to(lived_in, made->start);
+    EXPECT_GE(added.size(), 2U);
+    EXPECT_FALSE(added.contains("Mug"));
+    int as_many = 0;
+    for (const auto& [category, things] : added) {
+      EXPECT_EQ(things.size(), 1U) << category;
+      as_many += lived_in.places.of(category).size() + 1 == mugs ? 1 : 0;
+    }
+    EXPECT_GE(as_many, 1);
   }
   EXPECT_GE(starts, 1);
 }
