@@ -111,6 +111,15 @@ class ProblemWriter {
     return all;
   }
 
+  /// Substances that the problem has so far.
+  BddlNames substances() const {
+    BddlNames named;
+    for (const auto& [substance, synset] : words_.substances) {
+      if (substances_.contains(synset)) named[substance] = numbered(synset, 1);
+    }
+    return named;
+  }
+
   std::string text(const std::string& name, const std::string& goal) {
     const Room* room = room_at(start_, start_.agent.position);
     if (room != nullptr) fact(std::string("ontop ") + kBddlAgent + " " + floor(room->id));
@@ -171,6 +180,7 @@ Result<BddlProblem> bddl_problem(const FinishedTask& task, const Knowledge& know
   BddlProblem made;
   made.text = problem.text(task.record.id, quantified ? quantified->text : goal->last);
   made.names = problem.declared();
+  made.substances = problem.substances();
   made.decides = quantified || goal->last_decides;
   made.goal = std::move(*goal);
   return made;
