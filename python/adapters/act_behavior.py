@@ -233,7 +233,7 @@ class Episode:
         awaited = [
             (self.objects[node["id"]], node["id"], state)
             for node in ours.get("nodes", [])
-            if node["id"] in self.objects
+            if node["id"] in self.named
             for state in set(node["states"]) & set(THERMAL) - self.before.get(node["id"], set())
         ]
         for _ in range(WAIT_S * 30):  # a step of OmniGibson is 1/30 s

@@ -12,6 +12,7 @@ import importlib.util
 import json
 import sys
 import types
+from functools import cache
 from pathlib import Path
 
 from bddl.activity import Conditions
@@ -98,6 +99,19 @@ sim = None
 def clear(): ...
 
 
+SYNSETS = {category: synset for synset in TAXONOMY.get_all_synsets() for category in TAXONOMY.get_categories(synset)}
+
+
+@cache
+def _abilities_of(category):
+    return TAXONOMY.get_abilities(SYNSETS[category]) if category in SYNSETS else {}
+
+
+@cache
+def _substance_of(synset):
+    return TAXONOMY.get_subtree_substances(synset)[0]
+
+
 class System:
     def __init__(self, name):
         self.name, self.initialized = name, True
@@ -125,8 +139,7 @@ class Thing:
 
         self.scene, self.name, self.category, self.fixed_base, self.in_rooms = scene, name, category, fixed_base, list(in_rooms)
         self._place = None
-        synset = TAXONOMY.get_synset_from_category(category)
-        self._abilities = dict(TAXONOMY.get_abilities(synset)) if synset else {}
+        self._abilities = _abilities_of(category)
         self.states = {kind: kind(self) for kind in kinds.OF_ALL}
         for ability, parameters in self._abilities.items():
             for kind in kinds.OF_ABILITY.get(ability, ()):
@@ -201,7 +214,7 @@ class Scene:
         from omnigibson import object_states as kinds
 
         conditions = Conditions("task", 0, "omnigibson", predefined_problem=problem.read_text())
-        for word, *objects in conditions.parsed_initial_conditions:
+        for word, *objects in sorted(conditions.parsed_initial_conditions):  # inside the fridge before on top of its plate
             kind = {"ontop": kinds.OnTop, "inside": kinds.Inside, "attached": kinds.AttachedTo}.get(word)
             things = [self.things.get(self.names.get(one)) for one in objects]
             if kind is not None and all(things):
@@ -210,7 +223,7 @@ class Scene:
     @staticmethod
     def named(synset):
         """The substance of a synset."""
-        return TAXONOMY.get_subtree_substances(synset)[0]
+        return _substance_of(synset)
 
     def get_system(self, name, force_init=True):
         return self.systems.setdefault(name, System(name))

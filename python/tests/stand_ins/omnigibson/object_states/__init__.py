@@ -140,7 +140,16 @@ class Relation(State):
 class OnTop(Relation): ...
 
 
-class Inside(Relation): ...
+class Inside(Relation):
+    def get_value(self, other):
+        """Also of what rests on or in a thing that is inside."""
+        place = self.obj.place
+        while place is not None:
+            kind, thing = place
+            if kind is Inside and thing is other:
+                return True
+            place = thing.place
+        return False
 
 
 class AttachedTo(Relation): ...
