@@ -29,6 +29,13 @@ constexpr std::array kTold{Predicate::Open,    Predicate::Closed,   Predicate::O
                            Predicate::Colour,  Predicate::Material, Predicate::Size};
 /// What act_virtualhome.py tells besides.
 constexpr std::array kToldByVirtualhome{Predicate::PowerOn, Predicate::PowerOff, Predicate::Clean, Predicate::Dirty};
+/// What act_behavior.py tells besides.
+constexpr std::array kToldByBehavior{Predicate::PowerOn, Predicate::PowerOff, Predicate::Clean,  Predicate::Dirty,
+                                     Predicate::Soaked,  Predicate::Dry,      Predicate::Hot,    Predicate::Cool,
+                                     Predicate::Cooked,  Predicate::Raw,      Predicate::Burnt,  Predicate::Frozen,
+                                     Predicate::Thawed,  Predicate::Filled,   Predicate::Empty,  Predicate::Covered,
+                                     Predicate::Folded,  Predicate::Unfolded, Predicate::Sliced, Predicate::Whole,
+                                     Predicate::Attached};
 
 template <class List>
 bool has(const List& list, Predicate one) {
@@ -39,7 +46,8 @@ bool is_told(const Formula& goal, const std::string& backend) {
   const auto asked = predicates_in(goal);
   return std::all_of(asked.begin(), asked.end(), [&](Predicate one) {
     if (has(kTold, one)) return true;
-    return backend == "ai2thor" ? thor_state(one) != nullptr : has(kToldByVirtualhome, one);
+    if (backend == "ai2thor") return thor_state(one) != nullptr;
+    return backend == "behavior" ? has(kToldByBehavior, one) : has(kToldByVirtualhome, one);
   });
 }
 

@@ -120,6 +120,7 @@ void read_states(JsonReader& reader, const JsonAt& at, const Scene& now, const D
     const auto made = std::find_if(ours.nodes.begin(), ours.nodes.end(), [&](const Node& one) { return one.id == id; });
     if (node == nullptr && made == ours.nodes.end()) return reader.fail(item, "expected the id of an object");
     Node changed = node != nullptr ? *node : *made;
+    changed.states.clear(Predicate::Covered);  // the other states exclude each other, and are replaced
     const std::size_t count = reader.items(item);
     for (std::size_t i = 0; i < count && !reader.error(); ++i) {
       if (const auto state = state_from_json(reader, reader.item(item, i))) changed.states.set(*state);
@@ -164,7 +165,7 @@ SharedSimulator simulator_program(SimulatorProgramOptions options) {
 }
 
 const std::vector<std::string>& simulator_backends() {
-  static const std::vector<std::string> kNames{"virtualhome", "ai2thor"};
+  static const std::vector<std::string> kNames{"virtualhome", "ai2thor", "behavior"};
   return kNames;
 }
 

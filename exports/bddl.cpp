@@ -37,17 +37,17 @@ BddlNames floors_of(const Scene& start) {
   return floors;
 }
 
-/// What an object rests on or in, and the floor that it stands on.
+/// Each thing that an object rests on or in, and the floor that it stands on.
 struct RestingPlace {
-  std::string relation, on;  // "" when it rests on nothing that has a name
-  std::string floor;         // a room's id
+  std::vector<std::pair<std::string, std::string>> on;  // the relation in BDDL, the id
+  std::string floor;                                    // a room's id
 };
 RestingPlace rest_of(const Scene& start, const std::string& id) {
   RestingPlace rest;
   for (const Edge& edge : start.edges) {
     if (edge.from != id) continue;
-    if (edge.relation == Predicate::Inside || (edge.relation == Predicate::On && rest.on.empty()))
-      rest.relation = bddl_relation(edge.relation), rest.on = edge.to;
+    if (edge.relation == Predicate::Inside || edge.relation == Predicate::On)
+      rest.on.emplace_back(bddl_relation(edge.relation), edge.to);
     if (edge.relation == Predicate::OnFloor) rest.floor = edge.to;
   }
   return rest;
@@ -79,10 +79,12 @@ class ProblemWriter {
       return Done{};
     }
     const RestingPlace rest = rest_of(start_, id);
-    if (!rest.on.empty()) {
-      if (auto below = take(rest.on); !below) return below;
-      fact(rest.relation + " " + name->second + " " + names_.at(rest.on));
-    } else if (!rest.floor.empty()) {
+    for (const auto& [relation, place] : rest.on) {
+      if (auto below = take(place); !below) return below;
+      fact(relation + " " + name->second + " " + names_.at(place));
+    }
+    if (!rest.on.empty()) return Done{};
+    if (!rest.floor.empty()) {
       fact("ontop " + name->second + " " + floor(rest.floor));
     } else {
       return Error{Error::Kind::Unsatisfiable, "", {}, id + " rests on nothing that BDDL can express"};
@@ -109,6 +111,15 @@ class ProblemWriter {
     BddlNames all = taken_;
     all.insert(used_floors_.begin(), used_floors_.end());
     return all;
+  }
+
+  /// Substances that the problem has so far.
+  BddlNames substances() const {
+    BddlNames named;
+    for (const auto& [substance, synset] : words_.substances) {
+      if (substances_.contains(synset)) named[substance] = numbered(synset, 1);
+    }
+    return named;
   }
 
   std::string text(const std::string& name, const std::string& goal) {
@@ -171,6 +182,7 @@ Result<BddlProblem> bddl_problem(const FinishedTask& task, const Knowledge& know
   BddlProblem made;
   made.text = problem.text(task.record.id, quantified ? quantified->text : goal->last);
   made.names = problem.declared();
+  made.substances = problem.substances();
   made.decides = quantified || goal->last_decides;
   made.goal = std::move(*goal);
   return made;

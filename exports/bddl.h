@@ -12,8 +12,9 @@ struct BddlProblem {
   std::string text;  // with the objects that its goal names, what they rest on or in, and the rooms of furniture
   BddlNames
       names;  // of these objects, by our ids: "apple_1/2" is the second half of one that can be cut, a room its floor
-  BehaviorGoal goal;    // over literals
-  bool decides = true;  // whether the last state decides the goal. If not, the problem's goal is necessary, not enough
+  BddlNames substances;  // that it names, by ours
+  BehaviorGoal goal;     // over literals
+  bool decides = true;   // whether the last state decides the goal. If not, the problem's goal is necessary, not enough
 };
 
 /// Comments of the text give our id of each object. Where BDDL's quantifiers can say the goal, it is written with them,

@@ -9,8 +9,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The home at the start, with the object that each of the problem's names stands for, as BehaviorTask reads it.
-/// Errors: Unsatisfiable, where a movable object that the problem names has no model.
+constexpr const char* kRobot = "agent";  // its name in the scene that a runner makes
+
+/// The home at the start, with what each of the problem's names stands for, as BehaviorTask reads it: the name of an
+/// object, of a substance or of the robot. Errors: Unsatisfiable, where a movable object that the problem names has no
+/// model.
 Result<std::string> sampled_scene(const FinishedTask& task, const BddlProblem& problem, const ExportedScene& scene) {
   Json instances = Json::object();
   for (const auto& [id, name] : problem.names) {
@@ -21,6 +24,8 @@ Result<std::string> sampled_scene(const FinishedTask& task, const BddlProblem& p
           Error::Kind::Unsatisfiable, "", {}, "no model of " + find_node(task.start, id)->category + " is known"};
     instances[name] = there->second;
   }
+  for (const auto& [substance, name] : problem.substances) instances[name] = substance;
+  instances[kBddlAgent] = kRobot;
   Json json = Json::parse(scene.text);
   json["metadata"]["task"]["inst_to_name"] = std::move(instances);
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -48,6 +53,7 @@ Json task_json(const FinishedTask& task, const BddlProblem& problem, const Expor
       {"template", task.record.template_name},
       {"instruction", task.record.instruction},
       {"objects", problem.names},
+      {"substances", problem.substances},
       {"scene_objects", scene.names},
       {"not_said", scene.left_out},
       {"agent",

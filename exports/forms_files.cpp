@@ -60,13 +60,13 @@ struct Share {
 
 /// The table for the user: a row for each simulator and form, the reasons below it, the most frequent first.
 std::string table_of(const std::map<Simulator, std::vector<Share>>& shares, const std::vector<ExportFormat>& forms) {
-  std::string table = "simulator    form            tasks  expressed\n";
+  std::string table = "simulator    form               tasks  expressed\n";
   for (const auto& [simulator, by_form] : shares) {
     for (std::size_t i = 0; i < forms.size(); ++i) {
       const Share& share = by_form[i];
       if (share.tasks == 0) continue;
       std::array<char, 128> row{};
-      (void)std::snprintf(row.data(), row.size(), "%-12s %-14s %6zu %6zu  %5.1f %%\n",
+      (void)std::snprintf(row.data(), row.size(), "%-12s %-17s %6zu %6zu  %5.1f %%\n",
                           std::string(name_of(simulator)).c_str(), forms[i].name.c_str(), share.tasks, share.expressed,
                           100.0 * static_cast<double>(share.expressed) / static_cast<double>(share.tasks));
       table += row.data();

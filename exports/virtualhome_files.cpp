@@ -3,6 +3,7 @@
 #include "core/text.h"
 #include "exports/express.h"
 #include "exports/virtualhome_program.h"
+#include "exports/virtualhome_unity.h"
 #include "interchange/formats.h"
 
 namespace unietp {
@@ -12,6 +13,29 @@ namespace {
 /// as a program, and `<task>.names.json`, our ids with the numbers of their nodes; and left_out.jsonl.
 Result<std::string> write_virtualhome_files(const ExportRequest& request) {
   return write_expressed(request, express_virtualhome(request));
+}
+
+/// The same of the tasks whose programs Unity's table allows.
+Result<ExpressTask> express_virtualhome_in_unity(const ExportRequest& request) {
+  auto express = express_virtualhome(request);
+  if (!express) return express;
+  auto classes = read_unity_classes(request.data / "scene_files" / "virtualhome_unity.csv");
+  if (!classes) return classes.error();
+  return ExpressTask([express = std::move(*express),
+                      classes = std::move(*classes)](const FinishedTask& task) -> Result<ExpressedTask> {
+    auto made = express(task);
+    if (!made || !made->refused.empty()) return made;
+    for (const AssetFile& file : made->files) {
+      if (!file.path.ends_with(".txt")) continue;
+      if (auto denied = denied_by_unity(split(file.content, '\n'), classes); !denied.empty())
+        return ExpressedTask{{}, std::move(denied)};
+    }
+    return made;
+  });
+}
+
+Result<std::string> write_virtualhome_unity_files(const ExportRequest& request) {
+  return write_expressed(request, express_virtualhome_in_unity(request));
 }
 
 }  // namespace
@@ -39,6 +63,16 @@ ExportFormat virtualhome_format() {
   return {
       "virtualhome",         "VirtualHome's environment graphs and programs", {}, true, write_virtualhome_files, true,
       Simulator::Virtualhome};
+}
+
+ExportFormat virtualhome_unity_format() {
+  return {"virtualhome-unity",
+          "the same, of the tasks that Unity's table of classes allows",
+          {},
+          true,
+          write_virtualhome_unity_files,
+          true,
+          Simulator::Virtualhome};
 }
 
 }  // namespace unietp

@@ -312,6 +312,13 @@ TEST(ExportBehavior, EachFormulaHasTheTruthOfOursAfterEveryStep) {
       EXPECT_TRUE(home["objects_info"]["init_info"].contains(instances[name].get<std::string>())) << name;
       EXPECT_TRUE(home["state"]["object_registry"].contains(instances[name].get<std::string>())) << name;
     }
+    // As OmniGibson's BehaviorTask looks them up: all that is there at the start, the robot and substances included.
+    for (const auto& [type, objects] : problem.of_types) {
+      for (const std::string& name : objects)
+        EXPECT_NE(instances.contains(name), problem.init.contains({"future", name})) << name;
+    }
+    for (const auto& [substance, name] : json["substances"].items()) EXPECT_EQ(instances[name], substance);
+    EXPECT_TRUE(instances.contains("agent.n.01_1"));
     const bool decides = json["last_state_decides"];
     with_time += decides ? 0 : 1;
     Scene scene = start;

@@ -139,7 +139,8 @@ TEST(ExportForms, ATaskHasAFormExactlyWhereThatExportWritesIt) {
   EXPECT_EQ(bytes_below(out).size(), 1U);
   SchemaChecker checker;
   for (const auto& line : lines) EXPECT_EQ(checker.check(line, "forms.schema.json"), "");
-  for (const std::string form : {"unietp-release", "bddl", "pddl", "ltlf", "virtualhome", "habitat", "ai2thor"}) {
+  for (const std::string form :
+       {"unietp-release", "bddl", "pddl", "ltlf", "virtualhome", "virtualhome-unity", "habitat", "ai2thor"}) {
     const auto own = fs::path(folder.at(form));
     ASSERT_EQ(run_program({"export", "--format", form, small_data_set().string(), "--out", own.string()}).code, 0);
     std::map<std::string, std::string> left_out;

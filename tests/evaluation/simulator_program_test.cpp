@@ -56,6 +56,23 @@ TEST(ASimulatorsAnswer, MayTellOfAPieceThatOurPhysicsMake) {
   EXPECT_FALSE(read_simulator_answer(told, 7, kitchen(), {})) << "a piece of nothing";
 }
 
+TEST(ASimulatorsAnswer, TellsAllThatCoversAThing) {
+  Scene dusty = kitchen();
+  Node fridge = dusty.nodes.front();
+  fridge.states.set({Predicate::Covered, "dust"});
+  fridge.states.set({Predicate::Covered, "jam"});
+  dusty.nodes = {fridge};
+  const std::string told = R"json({"success":true,"message":"","edges_added":[],"edges_removed":[],
+                 "states":{"fridge_1":["covered(jam)","closed"]}})json";
+  const auto read = read_simulator_answer(answer(told), 7, dusty, {});
+  ASSERT_TRUE(read) << format(read.error());
+  ASSERT_EQ(read->changes.nodes.size(), 1U);
+  const StateSet& states = read->changes.nodes.front().states;
+  EXPECT_TRUE(states.has(State{Predicate::Covered, "jam"}));
+  EXPECT_FALSE(states.has(State{Predicate::Covered, "dust"}));
+  EXPECT_TRUE(states.has(Predicate::PowerOn)) << "what it does not speak of stays";
+}
+
 TEST(ASimulatorsAnswer, ThatIsNoneIsRefusedWithAReason) {
   const std::string rest = R"(,"message":"","edges_added":[],"edges_removed":[])";
   for (const auto& [line, why] : {
