@@ -11,6 +11,9 @@ PixelBox common_part(const PixelBox& a, const PixelBox& b) {
   return {std::max(a[0], b[0]), std::max(a[1], b[1]), std::min(a[2], b[2]), std::min(a[3], b[3])};
 }
 
+// Of so few pixels each is decided by a ray at once: cheaper than what bounds of the solids tell of their halves.
+constexpr std::int64_t kFew = 4;
+
 std::int64_t pixels_of(const PixelBox& box) {
   return std::int64_t{box[2] - box[0] + 1} * std::int64_t{box[3] - box[1] + 1};
 }
@@ -94,8 +97,8 @@ void VisibleBoxes::probe(const Outline& outline, const Vec2& corner, const Range
 void VisibleBoxes::explore(const PixelBox& whole, const Ranges& among) {
   const auto part = worth_exploring(whole, among);
   if (!part) return;
-  if ((*part)[0] == (*part)[2] && (*part)[1] == (*part)[3]) {
-    cut(*part, among);  // one ray
+  if (pixels_of(*part) <= kFew) {
+    decide(*part, among);
   } else {
     explore_part(*part, among);
   }
@@ -174,13 +177,18 @@ void VisibleBoxes::drop_hidden_behind_boxes(const PixelBox& part, Ranges& here) 
   here.others_end = others_.size();
 }
 
+void VisibleBoxes::decide(const PixelBox& part, const Ranges& among) {
+  for (int y = part[1]; y <= part[3]; ++y) {
+    for (int x = part[0]; x <= part[2]; ++x) {
+      const PixelBox pixel{x, y, x, y};
+      if ((box_ && within(pixel, *box_)) || !shows_owner(x, y, among)) continue;
+      box_ = box_ ? around(*box_, pixel) : pixel;
+    }
+  }
+}
+
 void VisibleBoxes::cut(const PixelBox& part, const Ranges& among) {
   const int wide = part[2] - part[0], high = part[3] - part[1];
-  if (wide == 0 && high == 0) {
-    if (!shows_owner(part[0], part[1], among)) return;
-    box_ = box_ ? around(*box_, part) : part;
-    return;
-  }
   if (box_ && meet(part, *box_)) {  // the remainders on each side of the known box
     const PixelBox known = *box_;
     const int left = std::max(part[0], known[0]), right = std::min(part[2], known[2]);
@@ -222,8 +230,10 @@ bool VisibleBoxes::shows_enough(const PixelBox& cover, const Ranges& among) {
 void VisibleBoxes::count(const PixelBox& part, const Ranges& among, std::int64_t limit) {
   if (counted_ >= limit) return;
   const int wide = part[2] - part[0] + 1, high = part[3] - part[1] + 1;
-  if (wide == 1 && high == 1) {
-    counted_ += shows_owner(part[0], part[1], among) ? 1 : 0;
+  if (wide * high <= kFew) {
+    for (int y = part[1]; y <= part[3]; ++y) {
+      for (int x = part[0]; x <= part[2]; ++x) counted_ += shows_owner(x, y, among) ? 1 : 0;
+    }
     return;
   }
   double filled = kNever;

@@ -64,7 +64,10 @@ class VisibleBoxes {
   std::optional<PixelBox> worth_exploring(const PixelBox& part, const Ranges& among) const;
   /// Drops the owner's solids that a box of another object hides in the whole part, and vice versa.
   void drop_hidden_behind_boxes(const PixelBox& part, Ranges& here);
+  /// Halves a part and explores both.
   void cut(const PixelBox& part, const Ranges& among);
+  /// Looks at every pixel of a small part.
+  void decide(const PixelBox& part, const Ranges& among);
   bool shows_owner(int x, int y, const Ranges& among) const;
   /// Pushes those from `begin` to `end` that may be visible in the part; `filled`: the depth behind which nothing is
   /// visible in it, as far as known.
