@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/sort_unique.h"
+#include "grounding/reach.h"
 #include "simulation/relations.h"
 #include "simulation/shape.h"
 
@@ -79,6 +80,21 @@ Home prepare_home(Scene scene, const Profile& profile) {
   home.viewer = std::make_shared<const Viewer>(scene);
   home.scene = std::move(scene);
   return home;
+}
+
+Home prepare_given_home(Scene scene, const Profile& profile) {
+  Home home = prepare_home(std::move(scene), profile);
+  home.out_of_reach.assign(home.scene.nodes.size(), false);
+  home.stuck = home.out_of_reach;
+  for (const std::size_t i : unreached_furniture(home.scene, home.physics, profile, *home.walk))
+    home.out_of_reach[i] = true;
+  for (std::size_t i = 0; i < home.stuck.size(); ++i)
+    home.stuck[i] = what_blocks(home.scene, home.physics, i).has_value();
+  return home;
+}
+
+bool is_of_use(const Home& home, std::size_t node, bool inside) {
+  return home.out_of_reach.empty() || !(home.out_of_reach[node] || (inside && home.stuck[node]));
 }
 
 std::optional<std::string> newly_unreached(const Home& home, const Scene& scene,
