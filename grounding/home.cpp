@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "core/sort_unique.h"
-#include "grounding/reach.h"
 #include "simulation/relations.h"
 #include "simulation/shape.h"
 
@@ -79,17 +78,6 @@ Home prepare_home(Scene scene, const Profile& profile) {
   home.places = NodeIndex(scene.nodes);
   home.viewer = std::make_shared<const Viewer>(scene);
   home.scene = std::move(scene);
-  return home;
-}
-
-Home prepare_given_home(Scene scene, const Profile& profile) {
-  Home home = prepare_home(std::move(scene), profile);
-  home.out_of_reach.assign(home.scene.nodes.size(), false);
-  home.stuck = home.out_of_reach;
-  for (const std::size_t i : unreached_furniture(home.scene, home.physics, profile, *home.walk))
-    home.out_of_reach[i] = true;
-  for (std::size_t i = 0; i < home.stuck.size(); ++i)
-    home.stuck[i] = what_blocks(home.scene, home.physics, i).has_value();
   return home;
 }
 

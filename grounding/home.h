@@ -43,8 +43,6 @@ struct Home {
 /// Reads the scene's edges anew. Deterministic.
 Home prepare_home(Scene scene, const Profile& profile);
 
-/// The same of a home that was not generated, in which not all furniture can be used (Home::out_of_reach and stuck).
-Home prepare_given_home(Scene scene, const Profile& profile);
 /// Whether the agent gets at a node of the home and can put things on it, or into it.
 bool is_of_use(const Home& home, std::size_t node, bool inside);
 

@@ -5,6 +5,7 @@
 #include <unordered_set>
 
 #include "core/sort_unique.h"
+#include "grounding/given_home.h"
 #include "run/make_home.h"
 #include "scene/comparisons.h"
 #include "scene/trace.h"

@@ -9,6 +9,7 @@
 #include "core/in_quotes.h"
 #include "core/rng.h"
 #include "dataset/candidate_number.h"
+#include "grounding/given_home.h"
 #include "grounding/ground.h"
 #include "resources/own_phrasings.h"
 

@@ -1,4 +1,5 @@
 #include "grounding/home.h"
+#include "grounding/given_home.h"
 
 #include <algorithm>
 #include <map>
