@@ -22,8 +22,22 @@ bool is_fixed(const StartLiteral& literal, const Knowledge& knowledge) {
   return literal.relation && is_fixed(literal.other, knowledge);
 }
 
+/// Whether the agent would have to be in none of the rooms that there are.
+bool shuts_out(const Formula& start, const Trace& now) {
+  const Formula& body = start.children.front();
+  if (start.op != Op::Forall || body.op != Op::Not || body.children.front().op != Op::Atom ||
+      body.children.front().predicate != Predicate::InRoom ||
+      body.children.front().terms.front().kind != Term::Kind::Agent)
+    return false;
+  const auto& all = now.entities;
+  std::size_t rooms = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) rooms += all[i].kind == Entity::Kind::Room ? 1 : 0;
+  return members_of(start.domain, start.variable, now).size() == rooms;
+}
+
 bool met(const Formula& start, const Knowledge& knowledge, const Trace& now) {
   if (start.domain.members.empty() || !is_fixed(start.domain, knowledge)) return true;
+  if (shuts_out(start, now)) return false;
   const auto literals = start_literals(start);
   const auto& body = start.children.front();
   std::vector<Formula> kept;  // what no edit changes

@@ -81,6 +81,10 @@ Home prepare_home(Scene scene, const Profile& profile) {
   return home;
 }
 
+bool is_of_use(const Home& home, std::size_t node, bool inside) {
+  return home.out_of_reach.empty() || !(home.out_of_reach[node] || (inside && home.stuck[node]));
+}
+
 std::optional<std::string> newly_unreached(const Home& home, const Scene& scene,
                                            const std::shared_ptr<const Walk>& walk) {
   if (walk == home.walk) return std::nullopt;

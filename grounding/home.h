@@ -33,6 +33,8 @@ struct Home {
   double farthest_sweep = 0;                 // how far any of them goes beyond the bounds of its node, m
   std::shared_ptr<const Walk> walk;
   std::vector<std::string> cut_off;      // rooms that the agent cannot walk to: none in generated homes
+  std::vector<bool> out_of_reach;        // by node: furniture of a given home that the agent does not get at, or
+  std::vector<bool> stuck;               // of which no door or drawer opens; both empty in generated homes
   Trace now;                             // the scene in the logic, without comparisons
   FactReader reader;                     // that read it
   std::shared_ptr<const Viewer> viewer;  // for its rooms
@@ -40,6 +42,9 @@ struct Home {
 
 /// Reads the scene's edges anew. Deterministic.
 Home prepare_home(Scene scene, const Profile& profile);
+
+/// Whether the agent gets at a node of the home and can put things on it, or into it.
+bool is_of_use(const Home& home, std::size_t node, bool inside);
 
 /// Id of a room that the agent can walk to in the home and not in a scene that grew out of it, or nullopt. A room of a
 /// real home that nobody can walk to is there, and no reason to make no tasks in the others. `walk`: of the scene.

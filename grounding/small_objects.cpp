@@ -263,6 +263,11 @@ std::vector<Host> hosts_for(const Workspace& workspace, const Node& object) {
   }
   const auto& nodes = workspace.scene().nodes;
   const std::vector<bool> usual_here = usual_rooms(workspace, *category);
+  const auto is_of_use = [&](std::size_t node, bool inside) {
+    if (workspace.home() == nullptr || nodes[node].movable) return true;
+    const auto own = workspace.home()->places.find(nodes[node].id);
+    return !own || unietp::is_of_use(*workspace.home(), *own, inside);
+  };
   const auto suits = [&](std::size_t node) {
     if (household == nullptr) return workspace.is_in(node, usual_here) ? kUsualRoomFactor : 1;
     const Room* room = workspace.room_of(node);
@@ -277,8 +282,8 @@ std::vector<Host> hosts_for(const Workspace& workspace, const Node& object) {
     for (const std::size_t node : there) {
       if (itself && nodes[node].id == object.id) continue;
       const double usual = suits(node) * (household != nullptr && nodes[node].movable ? kOnMovable : 1);
-      if (on > 0) hosts.push_back({node, Predicate::On, on * usual});
-      if (inside > 0) hosts.push_back({node, Predicate::Inside, inside * usual});
+      if (on > 0 && is_of_use(node, false)) hosts.push_back({node, Predicate::On, on * usual});
+      if (inside > 0 && is_of_use(node, true)) hosts.push_back({node, Predicate::Inside, inside * usual});
     }
   }
   return hosts;

@@ -30,12 +30,13 @@ constexpr std::array<std::string_view, 15> kImportTreatments{"kept; the agent ca
                                                              "kept without the relation",
                                                              "kept without the state"};
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kRepairNames{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kRepairNames{
     {{"board", "something hung in the air above it: a board was put under that"},
-     {"cut", "something else was inside it: cut away there"},
+     {"cut", "something else, a door on its way or the floor was inside it: cut away there"},
      {"lowered", "it stood higher than what stands beside it: set down to one level"},
      {"settled", "it was not at rest: let go until it was"},
-     {"surface", "things stood above or below its surface: the surface was moved to them"}}};
+     {"surface", "things stood above or below its surface: the surface was moved to them"},
+     {"turned", "its front was shut by what stands right before it: turned to where it opens"}}};
 
 std::string more_than(std::size_t count, std::size_t most, const std::string& what) {
   return std::to_string(count) + " " + what + "; accepted are at most " + std::to_string(most);
@@ -70,7 +71,9 @@ Result<ImportedScene> assemble(const SourceScene& source, const Knowledge& knowl
   if (source.openings.empty()) draft.report.openings_made = static_cast<int>(draft.scene.openings.size());
   if (draft.scene.nodes.empty()) return refuse("no object of a known category can be placed");
   fix_heaps(source, draft);
+  turn_fronts(source, facts, draft);
   follow_evidence(draft);
+  clear_doors(draft);
   draft.report.arrived = count_in_place(source, draft, !options.settle);
   if (options.settle) come_to_rest(source, options.most_work, draft);
   place_agent(source, profile, draft);

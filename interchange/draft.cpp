@@ -26,6 +26,7 @@ constexpr double kThinnestBox_m = 0.002;  // physics needs some thickness
 constexpr double kLeaning_rad = 0.05;     // a tilt that physics would not keep
 constexpr double kSlab_m = 0.02;          // thickness of a laptop or book that was measured while open
 constexpr double kLightest_kg = 0.001;
+constexpr double kMostSunk_m = 0.25;  // furniture that reaches deeper below the floor is left as it is
 
 bool finite(const SourceObject& object) {
   return object.pose.position.allFinite() && object.pose.rotation.coeffs().allFinite() && object.size.allFinite() &&
@@ -61,6 +62,16 @@ void unfold(Node& node) {
   node.size = Vec3(box.x(), side, std::min(kSlab_m, box.z()));
   node.pose = node.pose * Pose{Vec3(0, (side - box.y()) / 2, (node.size.z() - box.z()) / 2), Quat::Identity()};
   node.opening = std::clamp(angle / kLidTravel_rad, 0.0, 1.0);
+}
+
+/// Cuts furniture off at the floor, below which its doors would stick; by how much, 0 when it does not reach below.
+double stand_on_floor(Node& node) {
+  const double low = node.pose.position.z() - node.size.z() / 2;
+  const bool is_upright = (node.pose.rotation * Vec3::UnitZ()).z() > 1 - 1e-6;
+  if (node.movable || !is_upright || low >= 0 || -low > std::min(kMostSunk_m, node.size.z() / 2)) return 0;
+  node.size.z() += low;
+  node.pose.position.z() -= low / 2;
+  return -low;
 }
 
 class Placer {
@@ -141,6 +152,8 @@ class Placer {
       if (node.movable) issue(object, Reason::Leaning, "taken as the upright box around it");
       stand_up(node);
     }
+    if (const double sunk = stand_on_floor(node); sunk > 0)
+      draft_.repairs.push_back({draft_.scene.nodes.size(), RepairKind::Cut, std::nullopt, sunk});
     node.id = id_for(object, category);
     node_of_[index] = draft_.scene.nodes.size();
     draft_.source_of.push_back(index);

@@ -60,6 +60,15 @@ Bounds box_of(const Node& node);
 /// and nothing is cut for them.
 void fix_heaps(const SourceScene& source, Draft& draft);
 
+/// Turns furniture whose doors or drawers something fixed, or the end of every room, is right before, so that they
+/// open: to its other side, else by a quarter, its box staying as it is. Some files do not say which side is the front,
+/// or do not say it well.
+void turn_fronts(const SourceScene& source, const FormatFacts& facts, Draft& draft);
+
+/// Cuts out of furniture what the doors and drawers of other furniture pass through, if that is no more than 10 cm: the
+/// front of a dresser whose drawers are objects of their own, a carpet, the edge of a neighbor.
+void clear_doors(Draft& draft);
+
 /// Gives furniture boards where the file shows that something stands, and thins solids that would overlap what moves.
 void follow_evidence(Draft& draft);
 

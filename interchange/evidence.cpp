@@ -80,6 +80,11 @@ class Evidence {
     // A panel that is thick is a thin one in a box that goes around something else: it hangs at the back.
     bool changed = node.archetype == Archetype::Panel && node.size.y() > kThickPanel_m;
     if (changed) boards = {back_of(node)};
+    if (const auto own = basin_in(f)) boards = around_hollow(f, *own), changed = true;
+    if (is_a_basin_in_another(f)) {
+      nodes_.edit(f).boards = {bottom_of(node)};
+      return;
+    }
     if (!node.movable) changed = give_way_to_furniture(f, boards) || changed;
     changed = fit_levels(f, shape, boards) || changed;
     std::vector<Board> pads = pads_for(f, boards);
@@ -89,6 +94,50 @@ class Evidence {
     if (!changed) return;
     if (boards.empty() || boards.size() > kMostBoards) boards = {back_of(node)};
     nodes_.edit(f).boards = std::move(boards);
+  }
+
+  // Some files have the hollow of a sink or a tub as an object of its own, in a block that has the size of all. The
+  // block gets the hollow, and of the other the bottom is left, as its drain.
+
+  /// The smaller basin with its middle in basin f.
+  std::optional<std::size_t> basin_in(std::size_t f) const {
+    if (nodes_[f].archetype != Archetype::Basin || nodes_[f].movable) return std::nullopt;
+    for (std::size_t g = 0; g < nodes_.size(); ++g) {
+      const Vec3 from_middle = (boxes_[g].low + boxes_[g].high - boxes_[f].low - boxes_[f].high).cwiseAbs() / 2;
+      const bool in_f = ((boxes_[f].high - boxes_[f].low) / 2 - from_middle).minCoeff() > 0;
+      if (g != f && in_f && nodes_[g].archetype == Archetype::Basin && !nodes_[g].movable && holders_.smaller(g, f))
+        return g;
+    }
+    return std::nullopt;
+  }
+  bool is_a_basin_in_another(std::size_t g) const {
+    if (nodes_[g].archetype != Archetype::Basin) return false;
+    for (std::size_t f = 0; f < nodes_.size(); ++f) {
+      if (f != g && basin_in(f) == g) return true;
+    }
+    return false;
+  }
+
+  static Board bottom_of(const Node& node) {
+    const Vec3 half = node.size / 2;
+    return board_between(-half, {half.x(), half.y(), -half.z() + std::min(kPad_m, node.size.z())});
+  }
+
+  /// The block f with the hollow that basin g is in it.
+  std::vector<Board> around_hollow(std::size_t f, std::size_t g) const {
+    const Shape shape = shapes(nodes_[f]);
+    const Cavity& cavity = shape.cavities.front();
+    const Pose in_f = inverse(nodes_[f].pose) * nodes_[g].pose;
+    Bounds hollow = unietp::bounds_of(in_f, nodes_[g].size);
+    const double bottom = hollow.low.z();
+    hollow.low.z() = bottom + 2 * kPad_m;
+    hollow.low = hollow.low.cwiseMax(cavity.centre - cavity.half);
+    hollow.high = hollow.high.cwiseMin(cavity.centre + cavity.half);
+    hollow.high.z() = nodes_[f].size.z() / 2 + kTouching_m;
+    const Vec3 half = nodes_[f].size / 2;
+    std::vector<Board> boards{board_between(-half, half)};
+    cut(boards, hollow);
+    return boards;
   }
 
   static Board back_of(const Node& node) {
@@ -114,11 +163,17 @@ class Evidence {
     for (std::size_t g = 0; g < nodes_.size() && boards.size() <= kMostBoards; ++g) {
       if (g == f || nodes_[g].movable || heaped_[g] || !overlap(boxes_[g], boxes_[f]) || !holders_.smaller(g, f))
         continue;
-      std::vector<Bounds> holes = hulls(f, g);
+      std::vector<Bounds> holes = basin_in(f) == g ? drain(f, g) : hulls(f, g);
       for (Bounds& hole : holes) hole = grown(hole, -kTouching_m, -kTouching_m);
       any = cut_for(f, g, boards, holes) || any;
     }
     return any;
+  }
+
+  std::vector<Bounds> drain(std::size_t f, std::size_t g) const {
+    const Board bottom = bottom_of(nodes_[g]);
+    return {unietp::bounds_of(inverse(nodes_[f].pose) * nodes_[g].pose * Pose{bottom.centre, Quat::Identity()},
+                              bottom.size)};
   }
 
   /// What furniture g takes up in f's frame: its solids where one can see through it, else its whole box.

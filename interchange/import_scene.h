@@ -49,10 +49,11 @@ struct ImportIssue {
 /// What was changed of an object that is in the home, so that the home holds together. Each has a distance.
 enum class RepairKind : std::uint8_t {
   Board,    // something hangs above all its solids: a board was put under that; the air below it
-  Cut,      // something else is inside one of its solids: cut away there; the depth of the overlap
+  Cut,      // something else, a door on its way or the floor is inside one of its solids: cut away there; how deep
   Lowered,  // it stood higher than what stands beside it: set down to one level
   Settled,  // moved when everything came to rest
   Surface,  // things stand above or below its surface: moved to where they stand
+  Turned,   // it could not be opened for what stands right before it: turned; how far its front moved
 };
 std::string_view name_of(RepairKind kind);  // "cut"
 /// What was wrong and what was done, for people.

@@ -45,29 +45,35 @@ std::vector<CandidatePlan> CandidatePlanner::round(const std::vector<int>& open,
   std::vector<CandidatePlan> plans;
   for (const int number : open) {
     const auto& slot = slots_[position(number)];
-    auto& turn = turn_of(number);
-    const auto item = candidate_number(number, attempt);
-    const Rng rng = Rng(configuration_.seed).fork("plan", item);
-    if (turn.left == 0) {
-      turn.source = next_template(slot, turn, counts, rng.fork("template", 0));
-      turn.left = kAttemptsPerTemplate;
-      counts.add({Dimension::Template, resources_.templates[turn.source].name});
-    }
-    --turn.left;
-    CandidatePlan plan{number,
-                       attempt,
-                       turn.source,
-                       0,
-                       std::nullopt,
-                       least_of(slot, turn.source, attempt),
-                       style_of(slot, turn.drawn - 1)};
-    choose_home(plan, slot, counts, rng);
-    if (!plan.binding) turn.left = 0;
+    const std::size_t looks = resources_.homes.empty() ? 1 : slot.templates.size();
+    CandidatePlan plan;
+    for (std::size_t look = 0; look < looks && !plan.binding; ++look) plan = next_candidate(slot, attempt, look);
     count(plan, slot, counts);
     plans.push_back(std::move(plan));
   }
   for (const auto& plan : plans) ++tried_[{slots_[position(plan.slot)].simulator, plan.home}];
   return plans;
+}
+
+CandidatePlan CandidatePlanner::next_candidate(const TaskSlot& slot, int attempt, std::size_t look) {
+  auto& turn = turn_of(slot.index);
+  const Rng rng = Rng(configuration_.seed).fork("plan", candidate_number(slot.index, attempt));
+  if (turn.left == 0) {
+    turn.source = next_template(slot, turn, counts_, rng.fork("template", look));
+    turn.left = kAttemptsPerTemplate;
+    counts_.add({Dimension::Template, resources_.templates[turn.source].name});
+  }
+  --turn.left;
+  CandidatePlan plan{slot.index,
+                     attempt,
+                     turn.source,
+                     0,
+                     std::nullopt,
+                     least_of(slot, turn.source, attempt),
+                     style_of(slot, turn.drawn - 1)};
+  choose_home(plan, slot, counts_, rng);
+  if (!plan.binding) turn.left = 0;
+  return plan;
 }
 
 Grade CandidatePlanner::least_of(const TaskSlot& slot, std::size_t source, int attempt) const {

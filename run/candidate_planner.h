@@ -29,7 +29,8 @@ struct CandidatePlan {
 /// rooms and homes: each is drawn by inverse frequency among the tasks taken so far and the candidates planned before
 /// it in the same round. A slot keeps its first template for a few attempts, or until no home offers it a binding or it
 /// is dropped, then takes one that it has not tried; a slot of the Linguistic split keeps its phenomenon for a few
-/// templates, then takes its next.
+/// templates, then takes its next. Where homes are given (Resources::homes), what they have is all there is: a slot
+/// passes over templates that no home offers a binding, without a candidate, until all had their turn.
 ///
 /// Plans depend on the configuration and on the earlier rounds only: equal rounds give equal plans for any threads.
 class CandidatePlanner {
@@ -63,6 +64,8 @@ class CandidatePlanner {
   };
   Turn& turn_of(int slot) { return turns_[static_cast<std::size_t>(slot - slots_.front().index)]; }
   static std::optional<Style> style_of(const TaskSlot& slot, int drawn);
+  /// A candidate of the template that the slot has or takes next; the one looked at as number `look` for it.
+  CandidatePlan next_candidate(const TaskSlot& slot, int attempt, std::size_t look);
   std::size_t next_template(const TaskSlot& slot, Turn& turn, const Frequencies& counts, Rng rng) const;
   Grade least_of(const TaskSlot& slot, std::size_t source, int attempt) const;
   void choose_home(CandidatePlan& plan, const TaskSlot& slot, Frequencies& counts, const Rng& rng);

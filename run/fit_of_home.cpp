@@ -16,10 +16,14 @@
 namespace unietp {
 namespace {
 
-/// "The coffee machine" in a kitchen, "the dining table" not in an office.
+/// "The coffee machine" in a kitchen, "the dining table" not in an office. A room of a type that the knowledge base
+/// does not speak of, as files without rooms have, may be any.
 bool is_usual_room_of(const std::string& place, const std::string& room, const Knowledge& knowledge) {
-  const auto& usual = knowledge.find(place)->rooms;
-  return std::find(usual.begin(), usual.end(), room) != usual.end();
+  const auto is_usual = [&](const Category& category) {
+    return std::find(category.rooms.begin(), category.rooms.end(), room) != category.rooms.end();
+  };
+  const auto& all = knowledge.categories();
+  return is_usual(*knowledge.find(place)) || std::none_of(all.begin(), all.end(), is_usual);
 }
 
 /// What people say for a category, even where another category has that name already and NounTable writes a longer one;

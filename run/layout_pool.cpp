@@ -5,6 +5,7 @@
 #include <unordered_set>
 
 #include "core/sort_unique.h"
+#include "grounding/given_home.h"
 #include "run/make_home.h"
 #include "scene/comparisons.h"
 #include "scene/trace.h"
@@ -12,11 +13,35 @@
 namespace unietp {
 namespace {
 
-Layout layout_of(Scene scene, const Backend& backend, const PlaceUses* uses) {
+/// Whether a home that was given, and may lack much, can give a task something of the category: furniture that can be
+/// used, or a thing that it has or that people keep on or in such furniture.
+bool can_offer(const Home& home, const std::string& name, const Backend& backend, const Household& household) {
+  const Category* category = backend.knowledge.find(name);
+  if (category == nullptr) return true;  // a type of room
+  const auto is_usable = [&](std::size_t node, bool inside) {
+    return home.scene.nodes[node].movable || is_of_use(home, node, inside);
+  };
+  const auto& there = home.places.of(name);
+  if (!there.empty())
+    return std::any_of(there.begin(), there.end(),
+                       [&](std::size_t node) { return is_usable(node, home.scene.nodes[node].openable); });
+  const auto& usual = household.places_of(name);
+  return usual.empty() || std::any_of(usual.begin(), usual.end(), [&](const Household::Place& place) {
+           const auto& hosts = home.places.of(place.receptacle);
+           return std::any_of(hosts.begin(), hosts.end(),
+                              [&](std::size_t host) { return is_usable(host, place.relation == Predicate::Inside); });
+         });
+}
+
+Layout layout_of(Scene scene, const Backend& backend, const PlaceUses* uses, const Household* of_given) {
   Layout layout;
-  layout.home = prepare_home(std::move(scene), backend.profile);
+  layout.home = of_given == nullptr ? prepare_home(std::move(scene), backend.profile)
+                                    : prepare_given_home(std::move(scene), backend.profile);
   const Home& home = layout.home;
   layout.offer = {offered_categories(home.scene, backend.knowledge), home.now, uses};
+  if (of_given != nullptr)
+    std::erase_if(layout.offer.categories,
+                  [&](const std::string& name) { return !can_offer(home, name, backend, *of_given); });
   Facts& now = layout.offer.now.states.front();
   now = with_comparisons(now, home.scene, home.reader, {.all = true, .categories = {}});
   return layout;
@@ -60,7 +85,8 @@ const Result<Layout>& LayoutPool::layout(Simulator simulator, int index) {
                                          : make_home(configuration_, resources_, simulator, entry.number);
       if (!home) return home.error();
       return layout_of(std::move(*home), resources_.backend(simulator),
-                       resources_.sense == nullptr ? nullptr : &resources_.sense->common.place_uses());
+                       resources_.sense == nullptr ? nullptr : &resources_.sense->common.place_uses(),
+                       entry.given == nullptr ? nullptr : resources_.recipe(simulator).household.get());
     };
     entry.layout = std::make_unique<Result<Layout>>(made());
   });

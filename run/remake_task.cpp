@@ -9,6 +9,7 @@
 #include "core/in_quotes.h"
 #include "core/rng.h"
 #include "dataset/candidate_number.h"
+#include "grounding/given_home.h"
 #include "grounding/ground.h"
 #include "resources/own_phrasings.h"
 
@@ -45,8 +46,9 @@ Result<Remade> TaskRemaker::make(const RunConfiguration& configuration, const Ta
   grounding.decoys = true;
   const auto& modes = configuration.modes;
   grounding.pictured = std::find(modes.begin(), modes.end(), Mode::M3) != modes.end();
-  auto grounded = ground(*specification, *prepared(home), backend.knowledge, backend.profile, grounding,
-                         Rng(task.run).fork("grounding", candidate_number(task.slot, task.attempt)));
+  auto grounded =
+      ground(*specification, *prepared(home, !configuration.scenes.empty()), backend.knowledge, backend.profile,
+             grounding, Rng(task.run).fork("grounding", candidate_number(task.slot, task.attempt)));
   if (const auto* why = std::get_if<Rejection>(&grounded))
     return Error{Error::Kind::Unsatisfiable, task.id, {}, why->detail};
   auto& episode = std::get<Grounded>(grounded).episode;
@@ -59,14 +61,15 @@ Result<Remade> TaskRemaker::make(const RunConfiguration& configuration, const Ta
   return Remade{std::move(episode), std::move(instruction->text)};
 }
 
-std::shared_ptr<const Home> TaskRemaker::prepared(const std::shared_ptr<const Scene>& scene) {
+std::shared_ptr<const Home> TaskRemaker::prepared(const std::shared_ptr<const Scene>& scene, bool given) {
   {
     const std::scoped_lock lock(mutex_);
     if (const auto found = homes_.find(scene->id); found != homes_.end() && found->second.scene == scene)
       return found->second.home;
   }
   // Perhaps by two threads at once: to the same.
-  auto home = std::make_shared<const Home>(prepare_home(*scene, resources_.backend(scene->simulator).profile));
+  const Profile& profile = resources_.backend(scene->simulator).profile;
+  auto home = std::make_shared<const Home>(given ? prepare_given_home(*scene, profile) : prepare_home(*scene, profile));
   const std::scoped_lock lock(mutex_);
   if (homes_.insert_or_assign(scene->id, Prepared{scene, home}).second) kept_.push_back(scene->id);
   if (kept_.size() > kMostPrepared) {

@@ -39,7 +39,7 @@ class TaskRemaker {
     std::shared_ptr<const Scene> scene;
     std::shared_ptr<const Home> home;
   };
-  std::shared_ptr<const Home> prepared(const std::shared_ptr<const Scene>& scene);
+  std::shared_ptr<const Home> prepared(const std::shared_ptr<const Scene>& scene, bool given);
 
   const Resources& resources_;
   std::mutex mutex_;

@@ -268,6 +268,18 @@ TEST(Misfit, IsWhatFurnitureAndRoomsLackNotWhatAnEditOfTheStartGives) {
   EXPECT_FALSE(fits("(count = 2 (?r - Kitchen) (and))", two)) << "no room is built";
 }
 
+TEST(Misfit, IsAStartThatShutsTheAgentOutOfAllRooms) {
+  const auto knowledge = small_home(Simulator::Ai2thor);
+  const std::vector<Formula> outside = {
+      *parse_formula("test", "(forall (?r - Kitchen) (not (in_room agent ?r)))", FormulaUse::State)};
+  EXPECT_EQ(misfit(outside, knowledge, offer_with({"Fridge"}).now), nullptr) << "the living room is left";
+  Trace one_room;
+  one_room.entities.push_back({Entity::Kind::Room, "kitchen_1", "Kitchen", ""});
+  one_room.states.emplace_back();
+  one_room.states.front().set_exists(EntityIndex(0));
+  EXPECT_EQ(misfit(outside, knowledge, one_room), outside.data());
+}
+
 TEST(Misfit, IsTooLittleFurnitureForTwoConstraintsThatNoneMeetsTogether) {
   const auto knowledge = small_home(Simulator::Ai2thor);
   const auto fits = [&](const std::vector<const char*>& starts, const std::vector<std::string>& home) {

@@ -1,4 +1,5 @@
 #include "grounding/home.h"
+#include "grounding/given_home.h"
 
 #include <algorithm>
 #include <map>
@@ -123,6 +124,36 @@ TEST(Home, WhatIsReadAtTheCostOfTheDifferenceIsWhatAWholeReadingGives) {
         EXPECT_EQ(from_home->walking_distance(node.id), afresh->walking_distance(node.id)) << node.id;
     }
   }
+}
+
+TEST(Home, OfAGivenOneFurnitureThatNobodyGetsAtOrOpensIsOfNoUse) {
+  const auto style = style_of(Simulator::Ai2thor);
+  ASSERT_TRUE(style);
+  auto drawn = home_of(*style, 3);
+  ASSERT_TRUE(drawn) << format(drawn.error());
+  const auto& all = drawn->nodes;
+  const auto fridge = static_cast<std::size_t>(
+      std::find_if(all.begin(), all.end(), [](const Node& node) { return node.category == "Fridge"; }) - all.begin());
+  ASSERT_LT(fridge, all.size());
+  const Home as_made = prepare_given_home(*drawn, style->profile);
+  for (std::size_t i = 0; i < all.size(); ++i) EXPECT_TRUE(all[i].movable || is_of_use(as_made, i, true)) << all[i].id;
+
+  Scene blocked = *drawn;
+  Node box = all[fridge];  // right before its door
+  box.id = "safe_99";
+  box.category = "Safe";
+  box.archetype = Archetype::Block;
+  box.openable = false;
+  box.pose = box.pose * Pose{Vec3(0, -box.size.y() - 0.01, 0), Quat::Identity()};
+  blocked.nodes.push_back(box);
+  const Home home = prepare_given_home(blocked, style->profile);
+  EXPECT_TRUE(home.stuck[fridge]);
+  EXPECT_FALSE(is_of_use(home, fridge, true));
+
+  Scene lifted = *drawn;
+  lifted.nodes.edit(fridge).pose.position.z() += 10;
+  EXPECT_FALSE(is_of_use(prepare_given_home(lifted, style->profile), fridge, false));
+  EXPECT_TRUE(is_of_use(prepare_home(lifted, style->profile), fridge, false)) << "generated homes are not looked at";
 }
 
 TEST(Home, AWorkspaceThatIsEditedAndReadAgainAndAgainShowsWhatAWholeReadingGives) {

@@ -20,6 +20,7 @@ using ::testing::Contains;
 using ::testing::Each;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 SourceObject thing(const std::string& id, const std::string& category, const Vec3& centre, const Vec3& size,
                    const std::string& holder = "") {
@@ -103,6 +104,53 @@ TEST(Assemble, EveryRepairIsReportedWithItsDistance) {
   for (const ImportRepair& repair : report.repairs) EXPECT_GE(repair.by_m, 0.001) << repair.object;
 }
 
+std::vector<std::string> kinds_of(const ImportReport& report) {
+  std::vector<std::string> kinds;
+  for (const ImportRepair& repair : report.repairs)
+    kinds.push_back(repair.object + " " + std::string(name_of(repair.kind)));
+  return kinds;
+}
+
+TEST(Assemble, FurnitureThatReachesBelowTheFloorIsCutOffThere) {
+  SourceScene scene = kitchen();
+  scene.objects.push_back(thing("fridge", "Fridge", {-1, -1, 0.87}, {0.7, 0.7, 1.8}));  // 3 cm too low
+  const auto home = imported(scene);
+  ASSERT_TRUE(home) << format(home.error());
+  EXPECT_THAT(kinds_of(home->report), Contains("fridge cut"));
+  const auto& nodes = home->scene.nodes;
+  const auto fridge = std::find_if(nodes.begin(), nodes.end(), [](const Node& n) { return n.category == "Fridge"; });
+  ASSERT_NE(fridge, nodes.end());
+  EXPECT_NEAR(fridge->pose.position.z() - fridge->size.z() / 2, 0, 1e-9);
+  EXPECT_NEAR(fridge->pose.position.z() + fridge->size.z() / 2, 1.77, 1e-9);
+}
+
+TEST(Assemble, ACabinetThatFacesTheWallIsTurnedToWhereItOpens) {
+  SourceScene scene = kitchen();
+  scene.objects.push_back(thing("shut", "Cabinet", {-1, -1.74, 0.4}, {0.6, 0.5, 0.8}));  // its front, -y, at the wall
+  scene.objects.push_back(thing("free", "Cabinet", {1, -0.5, 0.4}, {0.6, 0.5, 0.8}));
+  const auto home = imported(scene);
+  ASSERT_TRUE(home) << format(home.error());
+  EXPECT_THAT(kinds_of(home->report), Contains("shut turned"));
+  EXPECT_THAT(kinds_of(home->report), Not(Contains("free turned")));
+  const Node& shut = home->scene.nodes[5];
+  ASSERT_EQ(shut.category, "Cabinet");
+  EXPECT_GT((shut.pose * Vec3(0, -1, 0)).y(), shut.pose.position.y()) << "into the room";
+  EXPECT_TRUE(shut.size.isApprox(Vec3(0.6, 0.5, 0.8)));
+}
+
+TEST(Assemble, WhatIsALittleInTheWayOfADrawerIsCut) {
+  SourceScene scene = kitchen();
+  scene.objects.push_back(thing("dresser", "Dresser", {0, -1.2, 0.4}, {0.8, 0.5, 0.8}));
+  scene.objects.push_back(thing("drawer", "Drawer", {0, -1.19, 0.6}, {0.6, 0.44, 0.2}));  // 4 cm behind its front
+  const auto home = imported(scene);
+  ASSERT_TRUE(home) << format(home.error());
+  const auto& repairs = home->report.repairs;
+  EXPECT_TRUE(std::any_of(repairs.begin(), repairs.end(), [](const ImportRepair& repair) {
+    return repair.kind == RepairKind::Cut && repair.object == "dresser" && repair.other == "drawer" &&
+           repair.by_m < 0.1;
+  }));
+}
+
 TEST(Assemble, IsDeterministic) {
   const auto one = imported(kitchen()), two = imported(kitchen());
   ASSERT_TRUE(one && two);
@@ -142,7 +190,7 @@ TEST(Assemble, TheReasonsAreThoseOfTheSchema) {
   EXPECT_EQ(names.size(), static_cast<std::size_t>(ImportReason::UnknownState) + 1);
   const auto& repairs = schema.at("/properties/repairs/items/properties/repair/enum"_json_pointer);
   for (std::size_t i = 0; i < repairs.size(); ++i) EXPECT_EQ(name_of(static_cast<RepairKind>(i)), repairs[i]);
-  EXPECT_EQ(repairs.size(), static_cast<std::size_t>(RepairKind::Surface) + 1);
+  EXPECT_EQ(repairs.size(), static_cast<std::size_t>(RepairKind::Turned) + 1);
 }
 
 TEST(Assemble, WhatCannotBePlacedIsListedByItsReason) {

@@ -168,5 +168,40 @@ TEST(CandidatePlanner, KeepsTheCategoriesThatWereGiven) {
   }
 }
 
+/// A kitchen with a table and nothing else: hardly any template finds in it what it is about.
+TEST(CandidatePlanner, PassesOverTemplatesThatNoGivenHomeCanBind) {
+  const auto configuration = [] {
+    auto asked = small_homes(20);
+    asked.simulators = {Simulator::Ai2thor};
+    return asked;
+  }();
+  Resources resources = committed();
+  Scene home;
+  home.id = "bare";
+  home.simulator = Simulator::Ai2thor;
+  home.rooms = {{"kitchen_1", "kitchen", {{0, 0}, {4, 0}, {4, 4}, {0, 4}}}};
+  home.agent.position = {1, 1};
+  Node table;
+  table.id = "dining_table_1";
+  table.category = "DiningTable";
+  table.archetype = Archetype::Table;
+  table.size = {1.2, 0.8, 0.75};
+  table.mass = 30;
+  table.pose = {{2.5, 2.5, 0.375}, Quat::Identity()};
+  home.nodes.push_back(table);
+  resources.homes = {home};
+  const auto slots = plan_slots(configuration, resources);
+  ASSERT_TRUE(slots);
+  LayoutPool layouts(configuration, resources, 1);
+  CandidatePlanner planner(configuration, resources, layouts, *slots);
+  int other = 0;
+  for (const auto& plan : planner.round(all_of(*slots), 0, {})) {
+    const auto& slot = (*slots)[static_cast<std::size_t>(plan.slot)];
+    EXPECT_TRUE(plan.binding) << committed().templates[plan.source].name;
+    other += plan.source != slot.templates[slot.first_template] ? 1 : 0;
+  }
+  EXPECT_GT(other, 0);  // some of the templates dealt first cannot be bound here
+}
+
 }  // namespace
 }  // namespace unietp
