@@ -10,27 +10,28 @@ namespace unietp {
 namespace {
 
 constexpr double kHighest_m = 2.5;
-using Kind = FurniturePosition::Kind;
-constexpr std::array<std::pair<std::string_view, Kind>, 13> kKinds{{{"wall", Kind::Wall},
-                                                                    {"run", Kind::Run},
-                                                                    {"facing", Kind::Facing},
-                                                                    {"corner", Kind::Corner},
-                                                                    {"centre", Kind::Centre},
-                                                                    {"wall-hung", Kind::WallHung},
-                                                                    {"outer-wall", Kind::OuterWall},
-                                                                    {"ceiling", Kind::Ceiling},
-                                                                    {"on", Kind::On},
-                                                                    {"at", Kind::At},
-                                                                    {"beside", Kind::Beside},
-                                                                    {"before", Kind::Before},
-                                                                    {"above", Kind::Above}}};
+using PositionKind = FurniturePosition::Kind;
+constexpr std::array<std::pair<std::string_view, PositionKind>, 13> kKinds{{{"wall", PositionKind::Wall},
+                                                                            {"run", PositionKind::Run},
+                                                                            {"facing", PositionKind::Facing},
+                                                                            {"corner", PositionKind::Corner},
+                                                                            {"centre", PositionKind::Centre},
+                                                                            {"wall-hung", PositionKind::WallHung},
+                                                                            {"outer-wall", PositionKind::OuterWall},
+                                                                            {"ceiling", PositionKind::Ceiling},
+                                                                            {"on", PositionKind::On},
+                                                                            {"at", PositionKind::At},
+                                                                            {"beside", PositionKind::Beside},
+                                                                            {"before", PositionKind::Before},
+                                                                            {"above", PositionKind::Above}}};
 
-bool takes_host(Kind kind) {
-  return kind == Kind::On || kind == Kind::At || kind == Kind::Beside || kind == Kind::Before || kind == Kind::Facing ||
-         kind == Kind::Above;
+bool takes_host(PositionKind kind) {
+  return kind == PositionKind::On || kind == PositionKind::At || kind == PositionKind::Beside ||
+         kind == PositionKind::Before || kind == PositionKind::Facing || kind == PositionKind::Above;
 }
-bool takes_height(Kind kind) {
-  return kind == Kind::WallHung || kind == Kind::OuterWall || kind == Kind::Facing || kind == Kind::Above;
+bool takes_height(PositionKind kind) {
+  return kind == PositionKind::WallHung || kind == PositionKind::OuterWall || kind == PositionKind::Facing ||
+         kind == PositionKind::Above;
 }
 
 }  // namespace
