@@ -84,9 +84,10 @@ const Result<Layout>& LayoutPool::layout(Simulator simulator, int index) {
       auto home = entry.given != nullptr ? Result<Scene>(*entry.given)
                                          : make_home(configuration_, resources_, simulator, entry.number);
       if (!home) return home.error();
+      const bool is_given = entry.given != nullptr && !resources_.recipes.empty();
       return layout_of(std::move(*home), resources_.backend(simulator),
                        resources_.sense == nullptr ? nullptr : &resources_.sense->common.place_uses(),
-                       entry.given == nullptr ? nullptr : resources_.recipe(simulator).household.get());
+                       is_given ? resources_.recipe(simulator).household.get() : nullptr);
     };
     entry.layout = std::make_unique<Result<Layout>>(made());
   });

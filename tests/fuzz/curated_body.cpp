@@ -11,6 +11,7 @@
 #include "akb/provenance.h"
 #include "bodies.h"
 #include "exports/bddl_words.h"
+#include "exports/virtualhome_unity.h"
 #include "fuzz_bodies.h"
 #include "grounding/home_census.h"
 #include "interchange/format_facts.h"
@@ -115,6 +116,10 @@ const std::map<std::string, std::function<void(const Folder&, Errors&)>, std::le
       {"substances.csv",
        [](const Folder& folder, Errors& errors) {
          keep_error(read_bddl_synsets(folder.path() / "substances.csv"), errors);
+       }},
+      {"virtualhome_unity.csv",
+       [](const Folder& folder, Errors& errors) {
+         keep_error(read_unity_classes(folder.path() / "virtualhome_unity.csv"), errors);
        }},
       {"benchmark-homes.csv",
        [](const Folder& folder, Errors& errors) { keep_error(read_known_homes(folder.path()), errors); }},
