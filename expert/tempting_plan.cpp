@@ -57,7 +57,8 @@ std::vector<Action> tempting_plan(const ExecutionTree& executions, const Demonst
   for (const DemonstrationStep& step : shown.steps) done.push_back(step.action);
   ExecutionTree of_all = executions.with_goal(all);
   if (reaches(of_all, done)) return {};  // nothing is left out
-  return plan_for(all, all, executions, {});
+  auto plan = plan_for(all, all, executions, {});
+  return plan.size() > shown.steps.size() ? plan : std::vector<Action>();  // a shorter one has to reach what was asked
 }
 
 std::optional<Rejection> add_tempting_plan(Demonstration& demonstration, const ExecutionTree& executions) {

@@ -28,6 +28,11 @@ struct TemptingPlan : ::testing::Test {
     return tempting_plan(*executions, shown_);
   }
 
+  void expect_no_longer(const std::vector<Action>& plan) const {
+    EXPECT_THAT(plan, Not(IsEmpty()));
+    EXPECT_LE(plan.size(), shown_.steps.size());
+  }
+
   bool reaches(const std::string& text, const std::vector<Action>& plan) const {
     const Formula judged = goal(text);
     auto executions = ExecutionTree::of(judged, start, knowledge, profile);
@@ -49,8 +54,7 @@ TEST_F(TemptingPlan, DoesWhatShouldComeSecondFirst) {
       "(exists (?x - Lamp) (exists (?y - Laptop) (and (before (power_on ?x) (power_on ?y))"
       " (at-end (and (power_on ?x) (power_on ?y))))))";
   const auto plan = of(ordered);
-  ASSERT_THAT(plan, Not(IsEmpty()));
-  EXPECT_LE(plan.size(), shown_.steps.size());
+  expect_no_longer(plan);
   EXPECT_FALSE(reaches(ordered, plan));
   EXPECT_TRUE(reaches(
       "(exists (?x - Lamp) (exists (?y - Laptop) (and (before (power_on ?y) (power_on ?x)) (at-end (power_on ?x)))))",
@@ -64,8 +68,7 @@ TEST_F(TemptingPlan, TakesWhatHasToStayIfThatIsNearer) {
       " (forall (?m - (Mug :where (exists (?c - DiningTable) (on ?m ?c)))) (always (exists (?d - DiningTable) (on ?m "
       "?d)))))))";
   const auto plan = of(stays);
-  ASSERT_THAT(plan, Not(IsEmpty()));
-  EXPECT_LE(plan.size(), shown_.steps.size());
+  expect_no_longer(plan);
   EXPECT_FALSE(reaches(stays, plan));
   EXPECT_TRUE(reaches("(exists (?t - SideTable) (exists (?a - Mug) (at-end (on ?a ?t))))", plan));
 }
