@@ -13,19 +13,35 @@ namespace {
 
 using Op = Formula::Op;
 
-void described_in(const Formula& formula, std::vector<const Domain*>& found) {
-  if (!formula.domain.where.empty()) found.push_back(&formula.domain);
+void described_in(const Formula& formula, std::vector<const Formula*>& found) {
+  if (!formula.domain.where.empty()) found.push_back(&formula);
   for (const Formula& child : formula.children) described_in(child, found);
 }
 
-/// The one thing of a goal that one colour, material or state describes.
+/// Whether the goal asks for a state of the thing. "Empty the red kettle, not the gray one" would forbid to empty both.
+bool changes_state(const Formula& formula, const std::string& variable) {
+  if (formula.op == Op::Atom) return formula.terms.size() == 1 && formula.terms.front().name == variable;
+  return std::any_of(formula.children.begin(), formula.children.end(),
+                     [&](const Formula& child) { return changes_state(child, variable); });
+}
+
+/// The one thing of a goal that one colour, material or state describes, where it is asked to be somewhere.
 const Domain* described_thing(const Formula& goal) {
-  std::vector<const Domain*> found;
+  std::vector<const Formula*> found;
   described_in(goal, found);
-  if (found.size() != 1 || found[0]->members.size() != 1 || found[0]->members[0].slice) return nullptr;
-  const Formula& test = found[0]->where.front();
+  if (found.size() != 1) return nullptr;
+  const Domain& thing = found[0]->domain;
+  if (thing.members.size() != 1 || thing.members[0].slice) return nullptr;
+  const Formula& test = thing.where.front();
   const bool plain = test.op == Op::Atom && (test.terms.size() == 1 || test.terms[1].kind == Term::Kind::Symbol);
-  return plain ? found[0] : nullptr;
+  return plain && !changes_state(*found[0], found[0]->variable) ? &thing : nullptr;
+}
+
+/// Whether ", not the blue one," may stand before this token: not within a list, and not before "in it".
+bool may_interrupt(const std::vector<Token>& tokens, std::size_t thing, std::size_t next) {
+  const bool listed = thing > 0 && (tokens[thing - 1].text == "and" || tokens[thing - 1].text == ",");
+  const bool short_end = next + 1 < tokens.size() && (tokens[next + 1].text == "it" || tokens[next + 1].text == "them");
+  return !listed && !short_end;
 }
 
 std::optional<std::string> word_of(const Node& node, const Formula& test, const NounTable& lexicon) {
@@ -71,6 +87,7 @@ std::optional<std::string> contrasted(const std::string& text, const Formula& go
     const Token& last = tokens[i + 1 + length];
     const auto end = static_cast<std::size_t>(last.column) - 1 + last.text.size();
     const bool goes_on = tokens[i + 2 + length].text != "." && tokens[i + 2 + length].text != "?";
+    if (goes_on && !may_interrupt(tokens, i, i + 2 + length)) continue;
     const auto* name = lexicon.display(thing->members[0].category);
     const bool pair = name != nullptr && name->singular.starts_with("pair of ") && tokens[i + 2].text != "pair";
     const bool plural = pair || (name != nullptr && name->singular.ends_with('s') &&

@@ -52,7 +52,7 @@ std::optional<std::string> if_or_else(const Clause& clause, Naming& naming, Clau
   // "Put a plate in it. If not, put one on the counter.": of several, it need not be the same.
   const auto name = naming.is_alone(open.subjects[0].noun) ? std::nullopt : naming.singular(open.subjects[0].noun);
   const std::string another = name && where->find(" one of ") != Text::value_type::npos ? with_article(*name) : "one";
-  const std::string thing = again->plural ? "them" : name ? another : again->text;
+  const std::string thing = again->plural ? "them" : name ? another : "it";
   return sentence("if " + there->text + " is " + state + ", " + *first, '.') + " " +
          sentence("if not, put " + thing + " " + *where, '.');
 }

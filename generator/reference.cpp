@@ -70,6 +70,9 @@ std::vector<Reference> by_size(const GoalVariable& variable, const Knowledge& kn
   const auto* category = knowledge.find(variable.category);
   std::vector<Reference> found;
   if (category == nullptr || !category->countable || !comes_in_sizes(*category, knowledge)) return found;
+  const auto& kinds = category->kinds;
+  if (std::find(kinds.begin(), kinds.end(), "garment") != kinds.end())
+    return found;  // nobody picks out "the largest pants"
   for (const char* size : {"large", "small"}) {
     found.push_back({Referring::BySize, atom_with_symbol(Predicate::Size, variable.variable, size), {}});
   }

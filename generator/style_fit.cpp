@@ -48,7 +48,6 @@ bool has_form_for(Style style, const Formula& goal, const Matter& matter) {
       });
     case Style::Function:
     case Style::Hypernym:
-    case Style::Description:
     case Style::Ellipsis:
     case Style::Anaphora:
     case Style::Compound:
@@ -56,8 +55,8 @@ bool has_form_for(Style style, const Formula& goal, const Matter& matter) {
     case Style::Context:  // "I want to wash my hands" has nothing to do with what else is brought
       return matter.of_one_thing && matter.carries_one;
     default:
-      // Only templates that are written so. Asides ("the egg can stay where it is") seem to come from nowhere, and
-      // people do not tell a thing by where it is not.
+      // Only templates that are written so. Asides ("the egg can stay where it is") seem to come from nowhere, people
+      // do not tell a thing by where it is not, and descriptions ("where the trash goes") read like riddles.
       return false;
   }
 }

@@ -74,10 +74,11 @@ Household::Household(const Knowledge& knowledge, const CommonSense& sense, Start
   }
   for (const Category& category : knowledge.categories()) {
     // Few names are generic, and comparing all categories with all would take a second.
-    if (!category.movable || !sense.has_rule_on_name(category.display)) continue;
+    if (!sense.has_rule_on_name(category.display)) continue;
     const Thing name = thing_of(category);
     for (const Category& other : knowledge.categories())
-      if (other.movable && sense.may_mean(name, thing_of(other))) meant_[category.name].insert(other.name);
+      if (other.movable == category.movable && sense.may_mean(name, thing_of(other)))
+        meant_[category.name].insert(other.name);
   }
 }
 

@@ -36,7 +36,8 @@ std::string spoken_name(const std::string& category, const NounTable& nouns) {
 }
 
 /// Whether the home has furniture of another category that the category's name could mean: of the same name, of one
-/// that ends in it, or of a kind that is called so ("the shelf" beside a shelving unit).
+/// that ends in it, of a kind that is called so ("the shelf" beside a shelving unit), or that people call so ("the
+/// lower cabinet" of a storage cabinet).
 bool has_namesake(const std::string& category, const Home& home, const Household& household, const NounTable& nouns) {
   const std::string own = spoken_name(category, nouns);
   if (own.empty()) return false;
@@ -44,18 +45,24 @@ bool has_namesake(const std::string& category, const Home& home, const Household
   return std::any_of(nodes.begin(), nodes.end(), [&](const Node& node) {
     if (node.movable || node.category == category) return false;
     const std::string other = spoken_name(node.category, nouns);
-    return other == own || other.ends_with(" " + own) || household.kind_of(node.category) == own;
+    return other == own || other.ends_with(" " + own) || household.kind_of(node.category) == own ||
+           household.may_mean(category, node.category);
   });
 }
 
-/// Whether furniture of another category, but of the same name, stands in a room with some of this one.
-bool has_twin(const std::string& category, const Home& home, const NounTable& nouns) {
+/// Whether furniture of another category, but of the same name, stands in a room with some of this one; where no more
+/// than its room is said of it, also furniture that people call so.
+bool has_twin(const Domain& asked, const Home& home, const Household& household, const NounTable& nouns) {
+  const std::string& category = asked.members.front().category;
+  const bool said = std::any_of(asked.where.begin(), asked.where.end(),
+                                [](const Formula& test) { return test.predicate != Predicate::InRoom; });
   const auto& there = home.places.of(category);
   if (there.empty() || home.scene.nodes[there.front()].movable) return false;
   const std::string own = spoken_name(category, nouns);
   for (std::size_t other = 0; other < home.scene.nodes.size(); ++other) {
     const Node& node = home.scene.nodes[other];
-    if (node.movable || node.category == category || spoken_name(node.category, nouns) != own) continue;
+    if (node.movable || node.category == category) continue;
+    if (spoken_name(node.category, nouns) != own && (said || !household.may_mean(category, node.category))) continue;
     if (std::any_of(there.begin(), there.end(), [&](std::size_t one) { return home.rooms[one] == home.rooms[other]; }))
       return true;
   }
@@ -185,7 +192,7 @@ bool leaves_open(const Formula& goal, const Layout& layout, const Household& hou
     const Domain& asked = one.domain;
     if (asked.members.empty()) return false;
     if (asked.members.size() == 1 && has_likeness(asked.members.front().category, home, household, nouns)) return true;
-    if (asked.members.size() == 1 && has_twin(asked.members.front().category, home, nouns)) return true;
+    if (asked.members.size() == 1 && has_twin(asked, home, household, nouns)) return true;
     if (!asked.where.empty()) return false;
     const std::string& category = asked.members.front().category;
     if (one.op == Formula::Op::Count) return household.is_personal(category) && asked.members.size() == 1;

@@ -22,11 +22,11 @@ std::size_t position(Style style) { return static_cast<std::size_t>(style); }
 int share_of(Style style) {
   switch (style) {
     case Style::Hypernym:
-    case Style::Description:
-      return 30;
+      return 40;
     case Style::Function:
+    case Style::Context:
     case Style::Request:
-      return 20;
+      return 30;
     case Style::Anaphora:
       return 14;
     case Style::VagueQuantity:

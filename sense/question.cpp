@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/sort_unique.h"
 #include "core/text.h"
 #include "core/unknown_name.h"
 #include "sense/word_kinds.h"
@@ -60,21 +61,41 @@ std::vector<std::string> verbs() {
   return all;
 }
 
+constexpr std::size_t kMostSuggested = 4;
+
+/// The categories that people call so, else those whose names have the word in them, else the one of the most similar
+/// name. Sorted; at most kMostSuggested.
+std::vector<std::string> suggested(const std::string& name, const Knowledge& knowledge) {
+  const std::string asked = normal_word(name);
+  std::vector<std::string> called, containing, names;
+  for (const Alias& alias : knowledge.aliases())
+    if (alias.kind == AliasKind::Synonym && normal_word(alias.text) == asked) called.push_back(alias.category);
+  for (const auto& category : knowledge.categories()) {
+    names.push_back(category.name);
+    if (("_" + normal_word(category.display) + "_").find("_" + asked + "_") != std::string::npos)
+      containing.push_back(category.name);
+  }
+  auto& found = called.empty() ? containing : called;
+  sort_unique(found);
+  if (found.size() > kMostSuggested) found.resize(kMostSuggested);
+  if (!found.empty()) return found;
+  const auto near = nearest_name(name, names);
+  return near.empty() ? found : std::vector<std::string>{near};
+}
+
 Result<std::string> category_of(std::string_view words, const Knowledge& knowledge) {
   const auto asked = normal_word(trim(words));
-  std::vector<std::string> names;
   for (const auto& category : knowledge.categories()) {
     if (normal_word(category.name) == asked || normal_word(category.display) == asked ||
         lower(category.name) == lower(trim(words)))
       return category.name;
-    names.push_back(category.name);
   }
   const std::string name(trim(words));
-  const auto near = nearest_name(name, names);
+  const auto near = suggested(name, knowledge);
   const std::string simulator(name_of(knowledge.simulator()));
   return usage(simulator + " has no category \"" + name + "\"" +
-               (near.empty() ? "" : ", did you mean \"" + near + "\"") + "; `unietp knowledge show " + simulator +
-               "` lists them");
+               (near.empty() ? "" : ", did you mean \"" + join(near, "\" or \"") + "\"") + "; `unietp knowledge show " +
+               simulator + "` lists them");
 }
 
 /// The rest of the text behind a verb; nullopt when it does not begin so.

@@ -39,6 +39,8 @@ TEST(Question, UnknownWordsGetTheNearest) {
   EXPECT_THAT(goal_of("place Mugg on CounterTop"), HasSubstr("did you mean \"Mug\""));
   EXPECT_THAT(goal_of("hoat Potato"), HasSubstr("did you mean \"heat\""));
   EXPECT_THAT(goal_of("place Mug CounterTop"), HasSubstr("expected one of"));
+  EXPECT_THAT(goal_of("place Mug on couch"), HasSubstr("did you mean \"Sofa\""));  // people call it so
+  EXPECT_THAT(goal_of("place Mug on table"), HasSubstr("\"DiningTable\""));        // a word of its name
 }
 
 }  // namespace
