@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "generator/goal_variable.h"
+#include "generator/phrase_kind.h"
 #include "scene/states.h"
 
 namespace unietp {
@@ -98,6 +99,13 @@ std::vector<Style> styles_fitting(const Template& source) {
     if (has_form_for(style, source.goal, matter) && (style != Style::Alias || carries)) fitting.push_back(style);
   }
   return fitting;
+}
+
+bool has_words_for(Style style, const Binding& binding, const Knowledge& knowledge) {
+  if (style != Style::Alias && !names_by_phrase(style)) return true;
+  const AliasKind kind = style == Style::Alias ? AliasKind::Synonym : phrases_of(style);
+  return std::any_of(binding.begin(), binding.end(),
+                     [&](const auto& bound) { return !knowledge.aliases_of(bound.second, kind).empty(); });
 }
 
 }  // namespace unietp

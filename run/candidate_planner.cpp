@@ -118,7 +118,7 @@ void CandidatePlanner::choose_home(CandidatePlan& plan, const TaskSlot& slot, Fr
   for (int home = 0; home < layouts_.size(slot.simulator); ++home) {
     const auto& layout = layouts_.layout(slot.simulator, home);
     if (!layout) continue;
-    if (barren_.contains({plan.source, slot.simulator, home, plan.least})) {
+    if (barren_.contains({plan.source, slot.simulator, home, plan.least, plan.style})) {
       plan.home = home;
       continue;
     }
@@ -137,7 +137,7 @@ void CandidatePlanner::choose_home(CandidatePlan& plan, const TaskSlot& slot, Fr
     plan.home = homes[drawn];
     plan.binding = draw_binding(plan, slot, counts, rng.fork("binding", static_cast<std::uint64_t>(look)));
     if (plan.binding) return;
-    barren_.insert({plan.source, slot.simulator, plan.home, plan.least});
+    barren_.insert({plan.source, slot.simulator, plan.home, plan.least, plan.style});
     homes.erase(homes.begin() + static_cast<std::ptrdiff_t>(drawn));
     weights.erase(weights.begin() + static_cast<std::ptrdiff_t>(drawn));
   }
@@ -150,7 +150,7 @@ std::optional<Binding> CandidatePlanner::draw_binding(const CandidatePlan& plan,
   const auto& source = resources_.templates[plan.source];
   const CategoryWeight weight = weight_in(layout, source, slot.split, counts, &rooms);
   const BindingWishes wishes{configuration_.binding, weight,
-                             fits_home(configuration_, resources_, source, layout, plan.least)};
+                             fits_home(configuration_, resources_, source, layout, plan.least, plan.style)};
   return sample_binding(source, resources_.backend(slot.simulator).knowledge, layout.offer.categories, wishes, rng);
 }
 

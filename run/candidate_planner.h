@@ -83,7 +83,8 @@ class CandidatePlanner {
   Frequencies counts_;
   std::map<std::pair<Simulator, int>, int> tried_;  // candidates planned in a home in earlier rounds
   std::map<std::pair<Simulator, int>, RoomTypes> rooms_;
-  std::set<std::tuple<std::size_t, Simulator, int, Grade>> barren_;  // template, home and grade: no binding was found
+  /// Template, home, grade and style: no binding was found.
+  std::set<std::tuple<std::size_t, Simulator, int, Grade, std::optional<Style>>> barren_;
 };
 
 }  // namespace unietp

@@ -8,6 +8,7 @@
 #include "core/text.h"
 #include "generator/fixed_start.h"
 #include "generator/propose.h"
+#include "generator/style_fit.h"
 #include "grounding/goal_places.h"
 #include "grounding/household.h"
 #include "run/sense_of_binding.h"
@@ -228,12 +229,12 @@ RoomSuits rooms_for(const Formula& goal, const Household& household, const Knowl
 }
 
 BindingCheck fits_home(const RunConfiguration& configuration, const Resources& resources, const Template& source,
-                       const Layout& layout, Grade least) {
+                       const Layout& layout, Grade least, std::optional<Style> style) {
   const Simulator simulator = layout.home.scene.simulator;
   BindingCheck makes_sense = at_least(least, source, resources, simulator);
   if (!configuration.binding.empty()) return makes_sense;
   const Household* household = least == Grade::Senseless ? nullptr : resources.recipe(simulator).household.get();
-  return [&source, &layout, &knowledge = resources.backend(simulator).knowledge, household,
+  return [&source, &layout, &knowledge = resources.backend(simulator).knowledge, household, style,
           makes_sense = std::move(makes_sense)](const Binding& bound, const Parameter& parameter,
                                                 const std::string& category) {
     if (makes_sense && !makes_sense(bound, parameter, category)) return false;
@@ -241,6 +242,7 @@ BindingCheck fits_home(const RunConfiguration& configuration, const Resources& r
     Binding all = bound;
     all.emplace_back(parameter.name, category);
     // What costs least comes first: the last gates draw starts.
+    if (style && !has_words_for(*style, all, knowledge)) return false;
     const auto filled = fill_in(source, knowledge, all);
     const auto* specification = std::get_if<Specification>(&filled);
     if (specification == nullptr || misfit(specification->init, knowledge, layout.offer.now) != nullptr) return false;

@@ -12,11 +12,11 @@ namespace unietp {
 
 /// What a binding that is drawn for a home has to be: with it the goal makes at least so much sense, and the home has
 /// the furniture and rooms that the template's start asks for, since no edit of a start gives it those, some of it in
-/// rooms where people keep what the goal puts there. Where the
+/// rooms where people keep what the goal puts there, and there are words for `style` (has_words_for). Where the
 /// configuration binds placeholders, a home that does not fit is accepted, to be refused with its reason later. What is
 /// given must outlive it.
 BindingCheck fits_home(const RunConfiguration& configuration, const Resources& resources, const Template& source,
-                       const Layout& layout, Grade least);
+                       const Layout& layout, Grade least, std::optional<Style> style);
 
 /// Whether each place that things only pass through (Household::passes), and that the goal names without saying which,
 /// is in a room where people keep what goes into it: a goal that any sink meets asks for no plates in the bathroom's.

@@ -189,7 +189,7 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
   const CategoryWeight weight = weight_in(*layout, source, slot.split, counts, nullptr);
   const SenseOf sense_of = [&](const Specification& one) { return sense_of_task(one, resources); };
   const BindingWishes wishes{configuration.binding, weight,
-                             fits_home(configuration, resources, source, *layout, plan.least)};
+                             fits_home(configuration, resources, source, *layout, plan.least, plan.style)};
   const Asked asked{slot.split, plan.style ? name_of(*plan.style) : std::string_view(source.refinement), plan.least,
                     resources.recipe(slot.simulator).household.get(), &backend.nouns_in(configuration.english)};
   auto specified =

@@ -21,10 +21,10 @@ std::size_t position(Style style) { return static_cast<std::size_t>(style); }
 /// its category, and so has fewer.
 int share_of(Style style) {
   switch (style) {
-    case Style::Hypernym:
-      return 40;
     case Style::Function:
     case Style::Context:
+      return 60;
+    case Style::Hypernym:
     case Style::Request:
       return 30;
     case Style::Anaphora:
