@@ -1,6 +1,7 @@
 #include "annotator/compose.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "annotator/compose_proposition.h"
@@ -168,20 +169,24 @@ class Composer {
         parts.push_back(at_end(said[2]));
         break;
       case Requirement::Kind::OnlyThen: {
-        Formula none = said[1];
-        if (none.op == Op::Forall) {
-          none.children = {negation(said[1].children[0])};
-        } else if (none.op == Op::Atom) {
-          none = negation(said[1]);
-        } else {
+        std::optional<Formula> none = negated(said[1]);
+        if (!none)
           return references_.fail(requirement.clauses[1].subjects[0].column, "expected 'all the …' after 'only then'");
-        }
-        parts.push_back(wrapped(Op::Until, {std::move(none), said[0]}));
+        parts.push_back(wrapped(Op::Until, {std::move(*none), said[0]}));
         parts.push_back(at_end(said[0]));
         parts.push_back(at_end(said[1]));
         break;
       }
     }
+  }
+
+  /// "None of them": an atom negated, or what is said of each thing; nullopt for another kind of formula.
+  static std::optional<Formula> negated(const Formula& f) {
+    if (f.op == Op::Atom) return negation(f);
+    if (f.op != Op::Forall) return std::nullopt;
+    Formula none = f;
+    none.children = {negation(f.children[0])};
+    return none;
   }
 
   /// "Fill the pot, then pour it into a vase.", "Slice a potato, then cook one of the slices.": of the first nothing is

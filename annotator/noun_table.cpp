@@ -156,35 +156,7 @@ NounTable::NounTable(const Knowledge& knowledge, English english) {
   std::set<std::string, std::less<>> taken;
   for (const Category& category : knowledge.categories()) taken.insert(category.display);
   for (const Category& category : knowledge.categories()) {
-    made.names[category.name] = {category.display, category.plural, category.countable, category.movable};
-    for (const English one : {english, english == English::Us ? English::Gb : English::Us}) {
-      const std::string_view usual = everyday_name(category.display, one);
-      const bool again = one != english && usual == everyday_name(category.display, english);
-      if (usual.empty() || usual == category.display || again || !taken.emplace(usual).second) continue;
-      const bool countable = category.countable || usual.find(" of ") != usual.npos;  // "roll of toilet paper"
-      const Name name{std::string(usual), countable ? plural_of(usual) : std::string(usual), countable,
-                      category.movable};
-      if (one == english) made.names[category.name] = name;
-      const int rank = one == english ? 0 : 1;
-      add(made.nouns, name.singular, of_category(category.name), name.countable, false, !name.countable, rank);
-      if (name.countable) add(made.nouns, name.plural, of_category(category.name), false, true, false, rank);
-    }
-    const Domain noun = of_category(category.name);
-    add(made.nouns, category.display, noun, category.countable, false, !category.countable, 0);
-    const std::string& said = made.names[category.name].singular;
-    if (said == "stove" && !taken.contains("oven"))
-      for (const auto& [text, plural] : {std::pair{"oven", false}, std::pair{"ovens", true}})
-        add(made.nouns, text, noun, !plural, plural, false, 1);
-    if (const std::string things(things_of_set(said)); !things.empty())
-      add(made.nouns, things, noun, false, false, true, 2);
-    if (said.starts_with(kStalk)) add(made.nouns, said.substr(kStalk.size()), noun, false, false, true, 2);
-    if (said.starts_with(kHalf)) {
-      if (said.find(" of ") == std::string::npos)
-        made.names[category.name].plural = said.substr(kHalf.size()) + " halves";
-      add(made.nouns, said.substr(kHalf.size()) + " half", noun, true, false, false, 0);
-      add(made.nouns, made.names[category.name].plural, noun, false, true, false, 0);
-    }
-    if (category.countable) add(made.nouns, category.plural, noun, false, true, false, 0);
+    add_category(made, category, taken);
     rooms.insert(category.rooms.begin(), category.rooms.end());
     colours.insert(category.colours.begin(), category.colours.end());
     materials.insert(category.materials.begin(), category.materials.end());
@@ -192,55 +164,100 @@ NounTable::NounTable(const Knowledge& knowledge, English english) {
   for (const Alias& alias : knowledge.aliases()) {
     const Category* category = knowledge.find(alias.category);
     if (category == nullptr) continue;
-    if (alias.kind != AliasKind::Synonym) {
+    if (alias.kind == AliasKind::Synonym) {
+      add_synonym(made, alias, *category);
+    } else {
       add_phrase(alias);
-      continue;
     }
-    if (alias.text == things_of_set(made.names[alias.category].singular)) continue;  // read as the set already
-    const Name name{alias.text, category->countable ? plural_of(alias.text) : alias.text, category->countable,
-                    category->movable};
-    if (alias.source.confidence >= kSaid && is_said(alias.text, english)) made.synonyms[alias.category].push_back(name);
-    const Domain noun = of_category(alias.category);
-    add(made.nouns, name.singular, noun, name.countable, false, !name.countable, 1);
-    if (name.countable) add(made.nouns, name.plural, noun, false, true, false, 1);
   }
-  for (const auto& [text, phrase] : phrases_) {
-    if (phrase.use == AliasKind::Occasion || phrase.use == AliasKind::Request) {
-      std::vector<std::string> words;
-      for (const Token& token : tokens_of(text)) words.push_back(token.text);
-      made.sentences[words.front()].emplace_back(words, text);
-      continue;
-    }
-    add(in_full_, text, phrase.noun, true, false, false, 0);
-    add(again_, named_again(text), phrase.noun, true, false, false, 0);
-    add(where_, where_of(text), phrase.noun, true, false, false, 0);
-  }
+  for (const auto& [text, phrase] : phrases_) index_phrase(made, text, phrase);
   if (rooms.empty()) rooms.insert(kUsualRooms.begin(), kUsualRooms.end());
-  for (const std::string& room : rooms) {
-    if (made.names.contains(room)) continue;
-    const std::string_view usual = everyday_name(spaced(room), english);
-    for (const std::string& name : {spaced(room), std::string(usual)}) {
-      if (name.empty()) continue;
-      made.names[room] = {name, plural_of(name), true, false};
-      add(made.nouns, name, of_category(room), true, false, false, 0);
-      add(made.rooms, name, of_category(room), true, false, false, 0);
-      add(made.nouns, plural_of(name), of_category(room), false, true, false, 0);
-    }
-    made.room_types.push_back(room);
-  }
-  Domain object, room, agent;
-  object.kind = Domain::Kind::Object;
-  room.kind = Domain::Kind::Room;
-  agent.kind = Domain::Kind::Agent;
-  add(made.nouns, "object", object, true, false, false, 2);
-  add(made.nouns, "objects", object, false, true, false, 2);
-  add(made.nouns, "room", room, true, false, false, 2);
-  add(made.nouns, "rooms", room, false, true, false, 2);
-  add(made.nouns, "agent", agent, true, false, false, 2);
-  add(made.nouns, "agents", agent, false, true, false, 2);
+  for (const std::string& room : rooms) add_room(made, room);
+  add_general_nouns(made);
   made.colours.assign(colours.begin(), colours.end());
   made.materials.assign(materials.begin(), materials.end());
   fixed_ = std::make_shared<const Names>(std::move(made));
+}
+
+/// Its display name, what people call it every day in both kinds of English, and the forms of these. `taken`: the names
+/// that are spoken for.
+void NounTable::add_category(Names& made, const Category& category, std::set<std::string, std::less<>>& taken) {
+  made.names[category.name] = {category.display, category.plural, category.countable, category.movable};
+  for (const English one : {made.english, made.english == English::Us ? English::Gb : English::Us}) {
+    const std::string_view usual = everyday_name(category.display, one);
+    const bool again = one != made.english && usual == everyday_name(category.display, made.english);
+    if (usual.empty() || usual == category.display || again || !taken.emplace(usual).second) continue;
+    const bool countable = category.countable || usual.find(" of ") != usual.npos;  // "roll of toilet paper"
+    const Name name{std::string(usual), countable ? plural_of(usual) : std::string(usual), countable, category.movable};
+    if (one == made.english) made.names[category.name] = name;
+    const int rank = one == made.english ? 0 : 1;
+    add(made.nouns, name.singular, of_category(category.name), name.countable, false, !name.countable, rank);
+    if (name.countable) add(made.nouns, name.plural, of_category(category.name), false, true, false, rank);
+  }
+  const Domain noun = of_category(category.name);
+  add(made.nouns, category.display, noun, category.countable, false, !category.countable, 0);
+  const std::string& said = made.names[category.name].singular;
+  if (said == "stove" && !taken.contains("oven"))
+    for (const auto& [text, plural] : {std::pair{"oven", false}, std::pair{"ovens", true}})
+      add(made.nouns, text, noun, !plural, plural, false, 1);
+  if (const std::string things(things_of_set(said)); !things.empty())
+    add(made.nouns, things, noun, false, false, true, 2);
+  if (said.starts_with(kStalk)) add(made.nouns, said.substr(kStalk.size()), noun, false, false, true, 2);
+  if (said.starts_with(kHalf)) {
+    if (said.find(" of ") == std::string::npos)
+      made.names[category.name].plural = said.substr(kHalf.size()) + " halves";
+    add(made.nouns, said.substr(kHalf.size()) + " half", noun, true, false, false, 0);
+    add(made.nouns, made.names[category.name].plural, noun, false, true, false, 0);
+  }
+  if (category.countable) add(made.nouns, category.plural, noun, false, true, false, 0);
+}
+
+void NounTable::add_synonym(Names& made, const Alias& alias, const Category& category) {
+  if (alias.text == things_of_set(made.names[alias.category].singular)) return;  // read as the set already
+  const Name name{alias.text, category.countable ? plural_of(alias.text) : alias.text, category.countable,
+                  category.movable};
+  if (alias.source.confidence >= kSaid && is_said(alias.text, made.english))
+    made.synonyms[alias.category].push_back(name);
+  const Domain noun = of_category(alias.category);
+  add(made.nouns, name.singular, noun, name.countable, false, !name.countable, 1);
+  if (name.countable) add(made.nouns, name.plural, noun, false, true, false, 1);
+}
+
+/// Makes a phrase that add_phrase has collected findable by its words: a sentence, or a noun phrase in its three forms.
+void NounTable::index_phrase(Names& made, const std::string& text, const Phrase& phrase) {
+  if (phrase.use == AliasKind::Occasion || phrase.use == AliasKind::Request) {
+    std::vector<std::string> words;
+    for (const Token& token : tokens_of(text)) words.push_back(token.text);
+    made.sentences[words.front()].emplace_back(words, text);
+    return;
+  }
+  add(in_full_, text, phrase.noun, true, false, false, 0);
+  add(again_, named_again(text), phrase.noun, true, false, false, 0);
+  add(where_, where_of(text), phrase.noun, true, false, false, 0);
+}
+
+void NounTable::add_room(Names& made, const std::string& room) {
+  if (made.names.contains(room)) return;
+  const std::string_view usual = everyday_name(spaced(room), made.english);
+  for (const std::string& name : {spaced(room), std::string(usual)}) {
+    if (name.empty()) continue;
+    made.names[room] = {name, plural_of(name), true, false};
+    add(made.nouns, name, of_category(room), true, false, false, 0);
+    add(made.rooms, name, of_category(room), true, false, false, 0);
+    add(made.nouns, plural_of(name), of_category(room), false, true, false, 0);
+  }
+  made.room_types.push_back(room);
+}
+
+/// "object", "room" and "agent", which the names of categories and room types precede.
+void NounTable::add_general_nouns(Names& made) {
+  for (const auto& [kind, noun] : {std::pair{Domain::Kind::Object, "object"}, std::pair{Domain::Kind::Room, "room"},
+                                   std::pair{Domain::Kind::Agent, "agent"}}) {
+    Domain domain;
+    domain.kind = kind;
+    add(made.nouns, noun, domain, true, false, false, 2);
+    add(made.nouns, std::string(noun) + "s", domain, false, true, false, 2);
+  }
 }
 
 /// Adds the category of an alias to what its phrase means. A phrase is of one use: the first.

@@ -119,7 +119,13 @@ class NounTable {
     int rank = 0;  // display names before synonyms
   };
   using Index = std::unordered_map<std::string, std::vector<Entry>>;  // by first word, longest first
+  struct Names;
+  static void add_category(Names& made, const Category& category, std::set<std::string, std::less<>>& taken);
+  static void add_synonym(Names& made, const Alias& alias, const Category& category);
+  static void add_room(Names& made, const std::string& room);
+  static void add_general_nouns(Names& made);
   void add_phrase(const Alias& alias);
+  void index_phrase(Names& made, const std::string& text, const Phrase& phrase);
   static void add(Index& index, const std::string& text, const Domain& noun, bool singular, bool plural, bool mass,
                   int rank);
   static void narrow(Index& index, std::string_view words, const Domain& noun);

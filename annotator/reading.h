@@ -91,6 +91,12 @@ class PhraseReader {
   int end_column() const {
     return tokens_.empty() ? 1 : tokens_.back().column + static_cast<int>(tokens_.back().text.size());
   }
+  bool phrase_without_noun(NounPhrase& phrase);
+  std::optional<NounPhrase> single_phrase(NounPhrase phrase);
+  std::optional<NounPhrase> referring_phrase(NounPhrase phrase);
+  std::optional<NounPhrase> quantified_phrase(NounPhrase phrase);
+  std::optional<NounPhrase> counted_phrase(NounPhrase phrase);
+  NounPhrase noun_with(NounPhrase phrase, Determiner determiner, bool plural = false);
   NounPhrase noun_after(NounPhrase phrase, bool plural);
   NounPhrase described(NounPhrase phrase);
   void description(NounPhrase& phrase);

@@ -187,27 +187,8 @@ class Realiser {
         return framed(pick({"I'd like ", "I'd like ", "I could use ", "I want "}), wanted, "");
       }
       case Kind::Then:
-      case Kind::ThenKept: {
-        const Text first = clauses_.command(clauses[0]);
-        const bool another_place = everyday_ && !said.inverted && first && goes_on_to_another_place(*first, clauses);
-        const bool same_place = everyday_ && !said.inverted && first && goes_to_the_same_place(*first, clauses);
-        if (same_place) {
-          const auto thing = naming_.phrase(clauses[1].subjects[0], {});
-          return thing && thing->text != "it" ? framed("", Text(*first + ", then " + thing->text), "") : std::nullopt;
-        }
-        const Text second = another_place ? naming_.complement(clauses[1].complements[0], {})
-                            : first       ? clauses_.command(clauses[1])
-                                          : std::nullopt;
-        if (!second) return std::nullopt;
-        if (everyday_) return in_order(*first, *second, said.inverted);
-        const std::string kept =
-            said.kind == Kind::Then
-                ? ""
-                : pick({", and leave both that way", ", with both still so at the end", ", and keep both that way"});
-        if (said.inverted) return framed("before you ", Text(*first + ", please " + *second), kept);
-        return framed(pick({"first ", "first, ", "please first "}),
-                      Text(*first + pick({", then ", " and then ", ", and after that "}) + *second), kept);
-      }
+      case Kind::ThenKept:
+        return one_after_another(said);
       case Kind::UntilThen: {
         const Text kept = clauses_.keeping(clauses[0]);
         const Text until = kept ? clauses_.statement(clauses[1], "is") : std::nullopt;
@@ -235,6 +216,30 @@ class Realiser {
         return std::nullopt;
     }
     return std::nullopt;
+  }
+
+  /// "First put the egg in the fridge, then the potato."
+  Text one_after_another(const Requirement& said) {
+    const auto& clauses = said.clauses;
+    const Text first = clauses_.command(clauses[0]);
+    const bool another_place = everyday_ && !said.inverted && first && goes_on_to_another_place(*first, clauses);
+    const bool same_place = everyday_ && !said.inverted && first && goes_to_the_same_place(*first, clauses);
+    if (same_place) {
+      const auto thing = naming_.phrase(clauses[1].subjects[0], {});
+      return thing && thing->text != "it" ? framed("", Text(*first + ", then " + thing->text), "") : std::nullopt;
+    }
+    const Text second = another_place ? naming_.complement(clauses[1].complements[0], {})
+                        : first       ? clauses_.command(clauses[1])
+                                      : std::nullopt;
+    if (!second) return std::nullopt;
+    if (everyday_) return in_order(*first, *second, said.inverted);
+    const std::string kept =
+        said.kind == Kind::Then
+            ? ""
+            : pick({", and leave both that way", ", with both still so at the end", ", and keep both that way"});
+    if (said.inverted) return framed("before you ", Text(*first + ", please " + *second), kept);
+    return framed(pick({"first ", "first, ", "please first "}),
+                  Text(*first + pick({", then ", " and then ", ", and after that "}) + *second), kept);
   }
 
   /// "Open the fridge, take all the eggs out of it and close it again."

@@ -48,8 +48,8 @@ void presume(Node& node, const SearchNeeds& needs) {
 
 }  // namespace
 
-Belief::Belief(const Scene& told, const SearchNeeds& needs, std::set<std::string> relevant)
-    : scene_(told), relevant_(std::move(relevant)) {
+Belief::Belief(const Scene& known_scene, const SearchNeeds& needs, std::set<std::string> relevant)
+    : scene_(known_scene), relevant_(std::move(relevant)) {
   for (std::size_t i = 0; i < scene_.nodes.size(); ++i) {
     if (relevant_.contains(scene_.nodes[i].category)) presume(scene_.nodes.edit(i), needs);
   }

@@ -13,13 +13,13 @@
 
 namespace unietp {
 
-/// What an agent holds true of a home: what it was told, what it has seen since, each thing as it looked last, and what
-/// its own actions must have changed. Furniture that it has not seen yet is taken to be in the state that the goal
-/// presupposes: a lamp that is to be switched off is on, until it is seen to be off.
+/// What an agent holds true of a home: what it knew at the start, what it has seen since, each thing as it looked last,
+/// and what its own actions must have changed. Furniture that it has not seen yet is taken to be in the state that the
+/// goal presupposes: a lamp that is to be switched off is on, until it is seen to be off.
 class Belief {
  public:
   /// `relevant`: categories of which news matters.
-  Belief(const Scene& told, const SearchNeeds& needs, std::set<std::string> relevant);
+  Belief(const Scene& known_scene, const SearchNeeds& needs, std::set<std::string> relevant);
 
   /// Takes in what is in view and in the hand, and where the agent is.
   void see(const std::vector<Node>& view, const Agent& body);

@@ -1,7 +1,6 @@
 #include "expert/belief_expert.h"
 
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <set>
 #include <span>
@@ -9,9 +8,9 @@
 
 #include "expert/belief.h"
 #include "expert/execution.h"
+#include "expert/known_world.h"
 #include "expert/search_order.h"
 #include "expert/search_tools.h"
-#include "expert/told_home.h"
 
 namespace unietp {
 namespace {
@@ -21,9 +20,6 @@ constexpr int kMostThoroughSteps = 20;  // spent on that before something is don
 constexpr int kMostCheckingSteps = 30;  // of all, when more is looked for at the end
 constexpr int kStepsForTheRest = 4;     // at least, after what is needed was found
 constexpr std::size_t kLongestRun = 3;
-constexpr double kStray_m = 0.01;  // from where a step should have led
-// What is in reach from all around is so also where what nobody has seen yet stands beside it.
-const std::array<Vec2, 4> kAside_m{Vec2{0.05, 0}, Vec2{-0.05, 0}, Vec2{0, 0.05}, Vec2{0, -0.05}};
 
 /// Looks, plans and acts behind a window.
 class BeliefExpert {
@@ -33,8 +29,9 @@ class BeliefExpert {
         window_(window),
         needs_(search_needs(problem.goal)),
         profile_(profile_of_m2(problem.profile)),
-        belief_(window.told(), needs_, relevant()),
-        order_(window.told(), problem.knowledge, problem.usual, needs_.shut, profile_.turn_deg) {}
+        belief_(window.known_scene(), needs_, relevant()),
+        order_(window.known_scene(), problem.knowledge, problem.usual, needs_.shut, profile_.turn_deg),
+        known_world_(problem, window) {}
 
   std::optional<Trouble> run() {
     see();
@@ -82,7 +79,7 @@ class BeliefExpert {
       return false;
     }
     ++steps_;
-    if (told_world_) (void)told_world_->step(action);
+    known_world_.follow(action);
     if (acted_) foresee(action);
     see();
     return true;
@@ -174,7 +171,7 @@ class BeliefExpert {
   bool make_plan() {
     planned_at_ = belief_.news();
     auto scene = std::make_unique<Scene>(believed_before());
-    KnownStart known = told_home().of(*scene);
+    KnownStart known = known_world_.home().of(*scene);
     auto made = ExecutionTree::of(problem_.goal, *scene, problem_.knowledge, problem_.profile, std::move(known));
     if (!made) return false;
     auto tree = std::make_unique<ExecutionTree>(std::move(*made));
@@ -347,60 +344,30 @@ class BeliefExpert {
     return planned_at_ != belief_.news() && missing().empty() && overlooked(kMostThoroughSteps).empty();
   }
 
-  ToldHome& told_home() {
-    if (!told_home_) told_home_ = std::make_unique<ToldHome>(window_.told(), problem_.profile);
-    return *told_home_;
-  }
-  /// The home as it was told, to see where one can stand and what can be opened.
-  const World* told_world() {
-    if (!told_world_) {
-      auto world = World::create(window_.told(), problem_.knowledge, problem_.profile, told_home().start());
-      if (!world) return nullptr;
-      told_world_ = std::make_unique<World>(std::move(*world));
-    }
-    return told_world_.get();
-  }
   bool would_work(const SearchOrder::Look& look) {
-    const World* told = told_world();
-    if (told == nullptr || look.from_here) return true;
-    World trial = *told;
-    if (!trial.step({ActionType::GoTo, {look.id}}).success) {
-      order_.give_up(look.id);
-      return false;
+    switch (known_world_.obstacle_to(look, order_.way_to(look, at_))) {
+      case KnownWorld::Obstacle::None:
+        return true;
+      case KnownWorld::Obstacle::NoWay:
+        order_.give_up(look.id);
+        return false;
+      case KnownWorld::Obstacle::Shut:
+        order_.keep_shut(look.id);
+        return false;
+      case KnownWorld::Obstacle::NoView:
+        order_.looked_at(look.id, belief_);
+        return false;
     }
-    if (!look.opens) return shows_more(look, *told);
-    if (trial.step({ActionType::Open, {look.id}}).success) return true;
-    order_.keep_shut(look.id);
     return false;
-  }
-  /// Whether the camera can be turned so; if not, there is no such look at the place.
-  bool shows_more(const SearchOrder::Look& look, World trial) {
-    const auto way = order_.way_to(look, at_);
-    if (std::all_of(way.begin(), way.end(), [&](const Action& action) { return trial.step(action).success; }))
-      return true;
-    order_.looked_at(look.id, belief_);
-    return false;
-  }
-  /// Whether it can be opened, as far as was told, from where the agent stands, and is in the picture.
-  bool in_reach(const std::string& id) {
-    const World* told = told_world();
-    if (told == nullptr || (told->agent().position - window_.body().position).norm() > kStray_m) return false;
-    const auto reached_from = [&](const Vec2& aside) {
-      return told->in_reach_from(window_.body().position + aside, id);
-    };
-    if (!told->in_reach(id) || !std::all_of(kAside_m.begin(), kAside_m.end(), reached_from)) return false;
-    if (!told->pictured_from(window_.body(), id)) return false;
-    World trial = *told;
-    return trial.step({ActionType::Open, {id}}).success;
   }
   /// Whether it was seen to be on and cannot be opened before it is off.
   bool runs(const std::string& id) const {
     return problem_.profile.open_needs_power_off && belief_.find(id)->states.has(Predicate::PowerOn);
   }
 
-  /// The most promising look that would work, as far as was told.
+  /// The most promising look that would work, as far as is known.
   std::optional<SearchOrder::Look> next_look(const std::vector<SearchTarget>& targets) {
-    const auto in_reach = [this](const std::string& id) { return this->in_reach(id); };
+    const auto in_reach = [this](const std::string& id) { return known_world_.opens_from_here(id); };
     auto look = order_.next(targets, belief_, at_, in_reach);
     while (look && !would_work(*look)) look = order_.next(targets, belief_, at_, in_reach);
     return look;
@@ -427,10 +394,7 @@ class BeliefExpert {
   bool look_there(const SearchOrder::Look& look) {
     const auto way = order_.way_to(look, at_);
     for (const Action& action : way) {
-      if (const World* told = told_world()) {
-        World trial = *told;
-        if (!trial.step(action).success) break;
-      }
+      if (!known_world_.allows(action)) break;
       if (!act(action)) return false;
       at_ = action.type == ActionType::GoTo ? action.args.front() : at_;
       if (action != way.back() && found_enough()) break;
@@ -450,6 +414,7 @@ class BeliefExpert {
   Profile profile_;
   Belief belief_;
   SearchOrder order_;
+  KnownWorld known_world_;
 
   std::vector<Action> plan_;
   std::size_t next_ = 0;
@@ -461,9 +426,6 @@ class BeliefExpert {
   std::vector<Action> done_;                       // since the first plan
   std::set<std::string, std::less<>> touched_;     // what that changed
   std::set<std::string, std::less<>> looked_for_;  // furniture that was turned to before it was used
-
-  std::unique_ptr<ToldHome> told_home_;
-  std::unique_ptr<World> told_world_;
 
   std::string at_;  // the place that it looked at last
   int steps_ = 0;

@@ -30,20 +30,20 @@ double left_after(const std::array<double, 6>& left, int looks) {
 
 }  // namespace
 
-SearchOrder::SearchOrder(const Scene& told, const Knowledge& knowledge, const Household* usual,
+SearchOrder::SearchOrder(const Scene& known_scene, const Knowledge& knowledge, const Household* usual,
                          std::set<std::string> shut, double turn_deg)
     : knowledge_(knowledge),
       usual_(usual),
       shut_(std::move(shut)),
       turns_(std::max(1.0, std::round(kQuarter_deg / turn_deg))) {
-  for (const Node& node : told.nodes) {
+  for (const Node& node : known_scene.nodes) {
     ++of_category_[node.category];
     Place place{node.id, node.category};
     place.position = node.pose.position.head<2>();
-    if (const Room* room = room_at(told, place.position)) place.room_type = room->type;
+    if (const Room* room = room_at(known_scene, place.position)) place.room_type = room->type;
     places_.push_back(std::move(place));
   }
-  for (const Room& room : told.rooms) {
+  for (const Room& room : known_scene.rooms) {
     Place place{room.id, "", room.type};
     for (const Vec2& corner : room.polygon) place.position += corner / static_cast<double>(room.polygon.size());
     places_.push_back(std::move(place));

@@ -29,13 +29,13 @@ struct SearchTarget {
 std::string names_of(const std::vector<SearchTarget>& targets);
 
 /// Where to look for things, in the order in which they are usually found there: by the knowledge of homes in general,
-/// the furniture that was told, and where the agent has looked already. A place that was looked at from one side may
-/// still hold something, so the best ones are looked at again, more closely, before unlikely ones.
+/// the furniture that is known from the start, and where the agent has looked already. A place that was looked at from
+/// one side may still hold something, so the best ones are looked at again, more closely, before unlikely ones.
 class SearchOrder {
  public:
   /// `usual`: where things are in a lived-in home; nullptr: as the knowledge base says. All must outlive it. `shut`:
   /// categories that are not opened. `turn_deg`: by how much a step turns the agent.
-  SearchOrder(const Scene& told, const Knowledge& knowledge, const Household* usual, std::set<std::string> shut,
+  SearchOrder(const Scene& known_scene, const Knowledge& knowledge, const Household* usual, std::set<std::string> shut,
               double turn_deg);
 
   /// A place to look: a piece of furniture or a room.

@@ -6,16 +6,16 @@ namespace unietp {
 
 EpisodeWindow::EpisodeWindow(ExecutionTree& executions) : rollout_(executions, rules_of(Mode::M2)) {
   const Scene& start = executions.start();
-  told_.id = start.id;
-  told_.simulator = start.simulator;
-  told_.rooms = start.rooms;
-  told_.openings = start.openings;
-  told_.wall_height = start.wall_height;
-  told_.wall_thickness = start.wall_thickness;
-  told_.agent = start.agent;
+  known_scene_.id = start.id;
+  known_scene_.simulator = start.simulator;
+  known_scene_.rooms = start.rooms;
+  known_scene_.openings = start.openings;
+  known_scene_.wall_height = start.wall_height;
+  known_scene_.wall_thickness = start.wall_thickness;
+  known_scene_.agent = start.agent;
   for (const Node& node : start.nodes) {
     if (node.movable) continue;
-    Node& known = told_.nodes.emplace_back(node);
+    Node& known = known_scene_.nodes.emplace_back(node);
     known.opening = 0;
     known.states = {};
     set_default_states(known, executions.knowledge());

@@ -9,13 +9,13 @@
 namespace unietp {
 
 /// All that an agent of M2 learns of a home, and all that it can do there. Who plans behind a window has no other way
-/// to the world, so what it does depends on what it was told and has seen alone.
+/// to the world, so what it does depends only on what it knew at the start and what it has seen.
 class Window {
  public:
   virtual ~Window() = default;
-  /// What the mode tells at the start: rooms, their openings, and furniture by id, category, place and size, in the
+  /// What the mode shows at the start: rooms, their openings, and furniture by id, category, place and size, in the
   /// states that such furniture has by default, whatever its states are. Nothing movable; no relations.
-  virtual const Scene& told() const = 0;
+  virtual const Scene& known_scene() const = 0;
   /// The objects in view and in the hand, each as it looks now. Sorted by id, those in the hand last.
   virtual std::vector<Node> view() const = 0;
   /// Where the agent stands, where it looks, and what it holds.
@@ -30,7 +30,7 @@ class EpisodeWindow : public Window {
   /// The tree must outlive it.
   explicit EpisodeWindow(ExecutionTree& executions);
 
-  const Scene& told() const override { return told_; }
+  const Scene& known_scene() const override { return known_scene_; }
   std::vector<Node> view() const override;
   const Agent& body() const override { return rollout_.episode().world().agent(); }
   Outcome act(const Action& action) override { return rollout_.go_on(action); }
@@ -40,7 +40,7 @@ class EpisodeWindow : public Window {
 
  private:
   Rollout rollout_;
-  Scene told_;
+  Scene known_scene_;
 };
 
 }  // namespace unietp

@@ -7,7 +7,7 @@
 namespace unietp {
 
 WitnessWindow::WitnessWindow(Window& window) : window_(window) {
-  seen_.told = window.told();
+  seen_.known_scene = window.known_scene();
   look();
 }
 

@@ -16,7 +16,7 @@ struct Witnessed {
     Agent body;
     bool operator==(const Moment&) const = default;
   };
-  Scene told;
+  Scene known_scene;
   std::vector<Moment> moments;    // before each action, and after the last
   std::vector<Action> actions;    // also those that failed
   std::vector<Outcome> outcomes;  // of each action
@@ -26,7 +26,7 @@ struct Witnessed {
 class WitnessWindow : public Window {
  public:
   explicit WitnessWindow(Window& window);
-  const Scene& told() const override { return seen_.told; }
+  const Scene& known_scene() const override { return seen_.known_scene; }
   std::vector<Node> view() const override { return seen_.moments.back().view; }
   const Agent& body() const override { return seen_.moments.back().body; }
   Outcome act(const Action& action) override;
@@ -44,7 +44,7 @@ class RecordedWindow : public Window {
  public:
   /// The record must outlive it.
   explicit RecordedWindow(const Witnessed& record) : record_(record) {}
-  const Scene& told() const override { return record_.told; }
+  const Scene& known_scene() const override { return record_.known_scene; }
   std::vector<Node> view() const override { return record_.moments[at_].view; }
   const Agent& body() const override { return record_.moments[at_].body; }
   /// Something else than what was done fails, and from then on everything does.

@@ -88,9 +88,7 @@ nb::list listing(const EpisodeTasks& tasks) {
   return rows;
 }
 
-}  // namespace
-
-void define_catalog(nb::module_& module) {
+void define_knowledge(nb::module_& module) {
   nb::class_<Catalog>(module, "Catalog", "Knowledge and profiles of the four simulators. Immutable.")
       .def_static(
           "load",
@@ -111,7 +109,9 @@ void define_catalog(nb::module_& module) {
             return std::pair(profile.image_width, profile.image_height);
           },
           "simulator"_a, "Width and height in pixels of what the simulator's camera shows.");
+}
 
+void define_tasks(nb::module_& module) {
   nb::class_<TaskHandle>(module, "Task", "A task that is ready to be acted in. Immutable, shared.")
       .def_prop_ro("id", [](const TaskHandle& handle) { return handle.task->text.id; })
       .def_prop_ro("instruction", [](const TaskHandle& handle) { return handle.task->text.instruction; })
@@ -158,7 +158,9 @@ void define_catalog(nb::module_& module) {
           },
           "number"_a, nb::call_guard<nb::gil_scoped_release>(),
           "The task at a position of the file, or the new task of a seed.");
+}
 
+void define_encoding(nb::module_& module) {
   nb::class_<Encoding>(module, "Encoding", "How observations become arrays and actions numbers.")
       .def(
           "__init__",
@@ -169,6 +171,14 @@ void define_catalog(nb::module_& module) {
           "catalog"_a, "actions"_a, "rows"_a, "text_bytes"_a)
       .def_ro("actions", &Encoding::actions)
       .def_ro("rows", &Encoding::rows);
+}
+
+}  // namespace
+
+void define_catalog(nb::module_& module) {
+  define_knowledge(module);
+  define_tasks(module);
+  define_encoding(module);
   module.def(
       "find_data_folder",
       [](const std::filesystem::path& program, const std::string& variable) {

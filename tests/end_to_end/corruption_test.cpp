@@ -10,7 +10,7 @@
 #include "core/files.h"
 #include "core/sqlite_file.h"
 #include "core/text.h"
-#include "damaged_task.h"
+#include "corruptions.h"
 #include "data_set.h"
 #include "record/home_cache.h"
 

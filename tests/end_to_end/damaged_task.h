@@ -2,7 +2,6 @@
 
 #include <initializer_list>
 #include <string>
-#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -23,13 +22,5 @@ struct DamagedTask {
   /// Category of an object of the start; "" when there is none.
   std::string category_of(const std::string& id) const;
 };
-
-/// A way to damage a task and what must be said of it.
-struct Corruption {
-  const char* name;
-  const char* kind;              // of a problem that must be told
-  bool (*damage)(DamagedTask&);  // false when the task has nothing that could be damaged this way
-};
-extern const std::vector<Corruption> kCorruptions;
 
 }  // namespace unietp

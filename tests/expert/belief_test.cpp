@@ -1,4 +1,4 @@
-// The expert of M2: what it does follows from what it was told and has seen.
+// The expert of M2: what it does follows from what it knew at the start and has seen.
 #include <algorithm>
 #include <filesystem>
 
@@ -7,11 +7,11 @@
 
 #include "expert/belief_expert.h"
 #include "expert/execution.h"
+#include "expert/known_home.h"
 #include "expert/mode_expert.h"
 #include "expert/search_marks.h"
 #include "expert/search_needs.h"
 #include "expert/search_order.h"
-#include "expert/told_home.h"
 #include "expert/witness.h"
 #include "grounding/reachability.h"
 #include "simulation/relations.h"
@@ -199,11 +199,11 @@ TEST(EpisodeWindow, ShowsNothingMovableThatIsNotInViewAndNoStateOfFurnitureOutOf
   const Formula wanted = goal("(exists (?x - Mug) (at-end (held ?x)))");
   auto executions = *ExecutionTree::of(wanted, start, knowledge, profile);
   EpisodeWindow window(executions);
-  for (const Node& node : window.told().nodes) {
+  for (const Node& node : window.known_scene().nodes) {
     EXPECT_FALSE(node.movable) << node.id;
     EXPECT_FALSE(node.states.has(Predicate::PowerOn)) << node.id;
   }
-  EXPECT_TRUE(window.told().edges.empty());
+  EXPECT_TRUE(window.known_scene().edges.empty());
   const auto& visible = executions.world().visible();
   EXPECT_EQ(window.view().size(), visible.size());
   for (const Node& node : window.view()) {
@@ -211,15 +211,15 @@ TEST(EpisodeWindow, ShowsNothingMovableThatIsNotInViewAndNoStateOfFurnitureOutOf
   }
 }
 
-TEST(ToldHome, IsOfABelievedHomeWhatIsComputedOfThatAlone) {
+TEST(KnownHome, IsOfABelievedHomeWhatIsComputedOfThatAlone) {
   const Knowledge knowledge = house_knowledge();
   const Profile profile = house_profile();
   const Scene start = at_rest(house());
   const Formula wanted = goal("(exists (?x - Mug) (at-end (held ?x)))");
   auto executions = *ExecutionTree::of(wanted, start, knowledge, profile);
   EpisodeWindow window(executions);
-  ToldHome home(window.told(), profile);
-  Scene believed = window.told();
+  KnownHome home(window.known_scene(), profile);
+  Scene believed = window.known_scene();
   for (const Node& node : start.nodes) {
     if (node.movable) believed.nodes.push_back(node);
   }
@@ -236,7 +236,7 @@ TEST(ToldHome, IsOfABelievedHomeWhatIsComputedOfThatAlone) {
   EXPECT_EQ(known.walk->grid.free_cells(), walk.grid.free_cells());
   EXPECT_EQ(known.walk->reached, walk.reached);
   EXPECT_NE(walk.grid.digest(), home.start().walk->grid.digest());
-  Scene shorter = window.told();  // and with less furniture
+  Scene shorter = window.known_scene();  // and with less furniture
   shorter.nodes.pop_back();
   const Walk less = walk_in(shorter, profile);
   EXPECT_EQ(home.of(shorter).walk->grid.digest(), less.grid.digest());
@@ -316,26 +316,26 @@ struct LookingForAMug : ::testing::Test {
   const Formula wanted = goal("(exists (?x - Mug) (at-end (held ?x)))");
   ExecutionTree executions = *ExecutionTree::of(wanted, start, knowledge, profile);
   EpisodeWindow window{executions};
-  unietp::Belief belief{window.told(), search_needs(wanted), {"Mug"}};
+  unietp::Belief belief{window.known_scene(), search_needs(wanted), {"Mug"}};
 };
 
 TEST_F(LookingForAMug, BeginsWhereTheGoalSaysAndOpensWhatIsShut) {
-  const SearchOrder order(window.told(), knowledge, nullptr, {}, profile.turn_deg);
+  const SearchOrder order(window.known_scene(), knowledge, nullptr, {}, profile.turn_deg);
   const auto look = order.next({{"Mug", {"Fridge"}, {}, false}}, belief, "", out_of_reach);
   ASSERT_TRUE(look);
   EXPECT_EQ(look->id, "fridge_1");
   EXPECT_TRUE(look->opens);
-  const SearchOrder shut(window.told(), knowledge, nullptr, {"Fridge"}, profile.turn_deg);
+  const SearchOrder shut(window.known_scene(), knowledge, nullptr, {"Fridge"}, profile.turn_deg);
   const auto other = shut.next({{"Mug", {"Fridge"}, {}, false}}, belief, "", out_of_reach);
   EXPECT_TRUE(!other || !other->opens || other->id != "fridge_1");
 }
 
 TEST_F(LookingForAMug, OpensFromWhereItStandsWhatIsInReach) {
-  SearchOrder order(window.told(), knowledge, nullptr, {}, profile.turn_deg);
-  for (const Node& node : window.told().nodes) {
+  SearchOrder order(window.known_scene(), knowledge, nullptr, {}, profile.turn_deg);
+  for (const Node& node : window.known_scene().nodes) {
     if (node.id != "fridge_1") order.give_up(node.id);
   }
-  for (const Room& room : window.told().rooms) order.give_up(room.id);
+  for (const Room& room : window.known_scene().rooms) order.give_up(room.id);
   const auto far = order.next({{"Mug"}}, belief, "", out_of_reach);
   ASSERT_TRUE(far);
   EXPECT_TRUE(far->opens && !far->from_here);
@@ -345,7 +345,7 @@ TEST_F(LookingForAMug, OpensFromWhereItStandsWhatIsInReach) {
 }
 
 TEST_F(LookingForAMug, GoesUpToWhatItPeekedInto) {
-  SearchOrder order(window.told(), knowledge, nullptr, {}, profile.turn_deg);
+  SearchOrder order(window.known_scene(), knowledge, nullptr, {}, profile.turn_deg);
   const std::vector<SearchTarget> inside{{"Mug", {"Fridge"}, {}, false}};
   Node open = *belief.find("fridge_1");
   open.states.set({Predicate::Open, ""});
@@ -365,7 +365,7 @@ TEST_F(LookingForAMug, GoesUpToWhatItPeekedInto) {
 }
 
 TEST_F(LookingForAMug, LooksAtAPlaceFromOtherAnglesLater) {
-  const SearchOrder order(window.told(), knowledge, nullptr, {}, profile.turn_deg);
+  const SearchOrder order(window.known_scene(), knowledge, nullptr, {}, profile.turn_deg);
   const Action go{ActionType::GoTo, {"sidetable_1"}};
   EXPECT_THAT(order.way_to({"sidetable_1"}, ""), ElementsAre(go));
   EXPECT_THAT(order.way_to({"sidetable_1"}, "sidetable_1"), IsEmpty());
@@ -377,7 +377,7 @@ TEST_F(LookingForAMug, LooksAtAPlaceFromOtherAnglesLater) {
 }
 
 TEST_F(LookingForAMug, GoesOnElsewhereOnceAPlaceWasLookedAt) {
-  SearchOrder order(window.told(), knowledge, nullptr, {}, profile.turn_deg);
+  SearchOrder order(window.known_scene(), knowledge, nullptr, {}, profile.turn_deg);
   const std::vector<SearchTarget> mug{{"Mug"}};
   const double before = order.unseen_share(mug.front(), belief);
   const auto first = order.next(mug, belief, "", out_of_reach);
@@ -397,13 +397,13 @@ TEST(SearchOrder, LooksOnTheFloorForWhatUsuallyLiesThere) {
   const Knowledge& known = committed_knowledge(Simulator::Ai2thor);
   const auto usual = read_household(std::filesystem::path(UNIETP_SOURCE_DIR) / "data" / "sense", known);
   ASSERT_TRUE(usual);
-  Scene told;
-  told.simulator = Simulator::Ai2thor;
-  told.rooms = {{"living_room_1", "living_room", {{0, 0}, {4, 0}, {4, 4}, {0, 4}}}};
-  told.nodes.push_back(node_of(known, "shelf_1", "Shelf", 1, 1, 1));
-  told.nodes.push_back(node_of(known, "dining_table_1", "DiningTable", 3, 3, 0));
-  const unietp::Belief belief(told, {}, {});
-  SearchOrder order(told, known, &*usual, {}, 90);
+  Scene known_scene;
+  known_scene.simulator = Simulator::Ai2thor;
+  known_scene.rooms = {{"living_room_1", "living_room", {{0, 0}, {4, 0}, {4, 4}, {0, 4}}}};
+  known_scene.nodes.push_back(node_of(known, "shelf_1", "Shelf", 1, 1, 1));
+  known_scene.nodes.push_back(node_of(known, "dining_table_1", "DiningTable", 3, 3, 0));
+  const unietp::Belief belief(known_scene, {}, {});
+  SearchOrder order(known_scene, known, &*usual, {}, 90);
   for (int look = 0; look < 4; ++look) order.looked_at("living_room_1", belief);
   EXPECT_LT(order.unseen_share({"BasketBall"}, belief), 0.9);
   EXPECT_GT(order.unseen_share({"Spoon"}, belief), 0.95);
@@ -416,7 +416,7 @@ TEST(BeliefOfFurniture, IsWhatTheGoalPresupposesUntilItIsSeen) {
   const Formula off = goal("(exists (?x - Television) (at-end (power_off ?x)))");
   auto executions = *ExecutionTree::of(off, start, knowledge, profile);
   EpisodeWindow window(executions);
-  unietp::Belief belief(window.told(), search_needs(off), {"Television"});
+  unietp::Belief belief(window.known_scene(), search_needs(off), {"Television"});
   EXPECT_TRUE(belief.find("television_1")->states.has(Predicate::PowerOn));
   EXPECT_FALSE(belief.has_seen("television_1"));
   Node seen = *find_node(start, "fridge_1");

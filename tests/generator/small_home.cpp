@@ -11,12 +11,34 @@
 
 #include "core/text.h"
 #include "logic/evaluate.h"
-#include "templates/constraint_kinds.h"
 
 namespace unietp {
 namespace {
 
 const Source kCurated = {"curated", 1};
+
+// As data/sense/kinds.csv has them, narrowest first.
+const std::map<std::string, std::vector<std::string>> kKinds = {
+    {"Apple", {"fruit", "produce", "food", "movable"}},
+    {"AppleSliced", {"fruit_piece", "fruit", "produce", "food", "movable"}},
+    {"Book", {"book", "movable"}},
+    {"Bowl", {"bowl", "tableware", "movable"}},
+    {"Bread", {"bread", "ready_food", "food", "movable"}},
+    {"BreadSliced", {"bread", "ready_food", "food", "movable"}},
+    {"Cabinet", {"kitchen_cabinet", "cabinet", "place"}},
+    {"Counter", {"counter", "place"}},
+    {"Drawer", {"drawer", "place"}},
+    {"Fridge", {"fridge", "place"}},
+    {"Knife", {"cutlery", "tableware", "movable"}},
+    {"Lamp", {"room_lamp", "fixture"}},
+    {"Microwave", {"microwave", "place"}},
+    {"Mug", {"cup", "tableware", "movable"}},
+    {"Plate", {"plate", "tableware", "movable"}},
+    {"Pot", {"pot", "cookware", "movable"}},
+    {"Shelf", {"shelf", "place"}},
+    {"Sink", {"sink", "place"}},
+    {"Table", {"dining_table", "place"}},
+    {"Television", {"television", "fixture"}}};
 
 Category category(const std::string& name, bool movable) {
   Category made;
@@ -49,30 +71,8 @@ Knowledge small_home(Simulator simulator) {
     afford(name, {"pickupable"});
   }
   for (const auto& name : furniture) categories.push_back(category(name, false));
-  // As data/sense/kinds.csv has them, narrowest first.
-  const std::map<std::string, std::vector<std::string>> kinds = {
-      {"Apple", {"fruit", "produce", "food", "movable"}},
-      {"AppleSliced", {"fruit_piece", "fruit", "produce", "food", "movable"}},
-      {"Book", {"book", "movable"}},
-      {"Bowl", {"bowl", "tableware", "movable"}},
-      {"Bread", {"bread", "ready_food", "food", "movable"}},
-      {"BreadSliced", {"bread", "ready_food", "food", "movable"}},
-      {"Cabinet", {"kitchen_cabinet", "cabinet", "place"}},
-      {"Counter", {"counter", "place"}},
-      {"Drawer", {"drawer", "place"}},
-      {"Fridge", {"fridge", "place"}},
-      {"Knife", {"cutlery", "tableware", "movable"}},
-      {"Lamp", {"room_lamp", "fixture"}},
-      {"Microwave", {"microwave", "place"}},
-      {"Mug", {"cup", "tableware", "movable"}},
-      {"Plate", {"plate", "tableware", "movable"}},
-      {"Pot", {"pot", "cookware", "movable"}},
-      {"Shelf", {"shelf", "place"}},
-      {"Sink", {"sink", "place"}},
-      {"Table", {"dining_table", "place"}},
-      {"Television", {"television", "fixture"}}};
   for (auto& known : categories) {
-    known.kinds = kinds.at(known.name);
+    known.kinds = kKinds.at(known.name);
     known.kinds.push_back("thing");
     if (known.name == "Mug" || known.name == "Book") known.colours = {"blue", "orange", "red"};
     if (known.name == "Table" || known.name == "Shelf") known.materials = {"glass", "wood"};
@@ -135,122 +135,6 @@ const Template& library_template(const std::string& name) {
 
 bool is_meant_for(const Template& source, Simulator simulator) {
   return std::find(source.simulators.begin(), source.simulators.end(), simulator) != source.simulators.end();
-}
-
-bool fits_by_scan(const Template& source, const Binding& binding, const Knowledge& knowledge) {
-  const auto category_of = [&](std::string argument) {
-    const bool slice = argument.ends_with("/slice");
-    if (slice) argument.resize(argument.size() - 6);
-    for (const auto& [name, bound] : binding) {
-      if (name != argument) continue;
-      if (!slice) return bound;
-      for (const auto& effect : knowledge.effects()) {
-        if (effect.treatment == Treatment::Slices && effect.target == bound && !effect.gives.empty())
-          return effect.gives;
-      }
-      return bound;
-    }
-    return std::string();
-  };
-  if (binding.size() != source.parameters.size()) return false;
-  for (const auto& parameter : source.parameters) {
-    const auto name = category_of(parameter.name);
-    for (const auto& wanted : parameter.affordances) {
-      if (wanted == "room" || wanted == "colour" || wanted == "material") {
-        bool word = false;
-        for (const auto& known : knowledge.categories()) {
-          const auto& words = wanted == "room" ? known.rooms : wanted == "colour" ? known.colours : known.materials;
-          word = word || std::find(words.begin(), words.end(), name) != words.end();
-        }
-        if (!word) return false;
-        continue;
-      }
-      if (wanted == "substance") {
-        bool word = false;
-        for (const auto& effect : knowledge.effects()) word = word || (!name.empty() && effect.gives == name);
-        if (!word) return false;
-        continue;
-      }
-      if (wanted == "any") continue;
-      bool found = false;
-      for (const auto& known : knowledge.categories()) {
-        found = found || (known.name == name &&
-                          ((wanted == "furniture" && !known.movable) || (wanted == "movable" && known.movable) ||
-                           (wanted == "countable" && known.countable)));
-      }
-      for (const auto& fact : knowledge.affordances()) {
-        found = found || (fact.category == name && fact.affordance == wanted);
-      }
-      if (!found) return false;
-    }
-  }
-  for (const auto& constraint : source.constraints) {
-    const auto& arguments = constraint.arguments;
-    const std::string kind(info(constraint.type).name);
-    if (kind == "distinct") {
-      std::set<std::string> names;
-      for (const auto& argument : arguments) names.insert(category_of(argument));
-      if (names.size() != arguments.size()) return false;
-      continue;
-    }
-    if (kind == "comes-in-sizes") {  // nothing has models here, so all may be scaled but what nobody tells by its size
-      const std::set<std::string> same{"game",       "pocket_thing", "phone",     "gadget",
-                                       "stationery", "cutlery",      "periodical"};
-      const auto& kinds = knowledge.find(category_of(arguments[0]))->kinds;
-      if (std::any_of(kinds.begin(), kinds.end(), [&](const std::string& own) { return same.contains(own); }))
-        return false;
-      continue;
-    }
-    bool found = false;
-    if (kind == "comes-in") {
-      const auto* known = knowledge.find(category_of(arguments[0]));
-      auto words = known->colours;
-      words.insert(words.end(), known->materials.begin(), known->materials.end());
-      const auto value = category_of(arguments[1]);
-      const auto alike = value == "red" ? "orange" : value == "orange" ? "red" : "";
-      found = std::count(words.begin(), words.end(), value) == 1 &&
-              words.size() > 1 + static_cast<std::size_t>(std::count(words.begin(), words.end(), alike));
-    } else if (kind == "found-in") {
-      const auto& rooms = knowledge.find(category_of(arguments[0]))->rooms;
-      found = std::count(rooms.begin(), rooms.end(), category_of(arguments[1])) > 0;
-    } else if (kind == "has-words") {
-      for (const auto& alias : knowledge.aliases()) {
-        found = found || (alias.category == category_of(arguments[0]) && name_of(alias.kind) == arguments[1]);
-      }
-    } else if (kind == "kind") {
-      for (const auto& wider : knowledge.find(category_of(arguments[0]))->kinds)
-        found = found || std::count(arguments.begin() + 1, arguments.end(), wider) > 0;
-    } else if (kind == "same-kind") {
-      for (const auto& wider : knowledge.find(category_of(arguments[0]))->kinds) {
-        const auto is_kind = [](const std::string& word) { return word.front() >= 'a'; };
-        const bool listed = is_kind(arguments.back());
-        bool all = listed ? std::count(arguments.begin(), arguments.end(), wider) > 0
-                          : wider != "thing" && wider != "movable" && wider != "place" && wider != "fixture";
-        for (const auto& argument : arguments) {
-          if (is_kind(argument)) continue;
-          const auto& others = knowledge.find(category_of(argument))->kinds;
-          all = all && std::count(others.begin(), others.end(), wider) > 0;
-        }
-        found = found || all;
-      }
-    } else if (kind.starts_with("fits-")) {
-      const int wanted = arguments.size() > 2 ? std::stoi(arguments[2]) : 1;
-      const auto relation = replace_all(kind.substr(5), "-", "_");
-      for (const auto& row : knowledge.placements()) {
-        found = found || (row.object == category_of(arguments[0]) && row.receptacle == category_of(arguments[1]) &&
-                          info(row.relation).name == relation && row.capacity >= wanted);
-      }
-    } else if (!found) {
-      for (const auto& row : knowledge.effects()) {
-        found =
-            found || (row.tool == category_of(arguments[0]) && row.target == category_of(arguments[1]) &&
-                      name_of(row.treatment) == kind &&
-                      (arguments.size() < 3 || row.gives == arguments[2] || row.gives == category_of(arguments[2])));
-      }
-    }
-    if (!found) return false;
-  }
-  return true;
 }
 
 namespace {

@@ -9,20 +9,20 @@
 
 namespace unietp {
 
-/// What is computed of the home that an agent was told, once for all that it then believes of it: a believed home is
-/// the told one with some furniture opened and with the things that were seen.
-class ToldHome {
+/// What is computed once of the home that an agent knows at the start, for all that it believes of it later: a believed
+/// home is the known one with some furniture opened and with the things that were seen.
+class KnownHome {
  public:
-  /// `told` must outlive it.
-  ToldHome(const Scene& told, const Profile& profile);
+  /// `known_scene` must outlive it.
+  KnownHome(const Scene& known_scene, const Profile& profile);
 
-  /// Of the home as it was told.
+  /// Of the home as it is known at the start.
   KnownStart start() const;
   /// Of what is believed of it, which gets its relations. Equal to what is computed from `scene` alone.
   KnownStart of(Scene& scene);
 
  private:
-  const Scene& told_;
+  const Scene& known_scene_;
   ColliderCache colliders_;
   PhysicsWorld physics_;
   std::shared_ptr<const Walk> walk_;

@@ -1,4 +1,4 @@
-#include "expert/told_home.h"
+#include "expert/known_home.h"
 
 #include <algorithm>
 #include <utility>
@@ -19,25 +19,25 @@ void each_other_node(const Scene& scene, const Scene& than, const Visit& visit) 
 
 }  // namespace
 
-ToldHome::ToldHome(const Scene& told, const Profile& profile)
-    : told_(told),
-      physics_(physics_of(told, colliders_)),
-      walk_(std::make_shared<const Walk>(walk_in(told, profile))),
-      viewer_(told) {}
+KnownHome::KnownHome(const Scene& known_scene, const Profile& profile)
+    : known_scene_(known_scene),
+      physics_(physics_of(known_scene, colliders_)),
+      walk_(std::make_shared<const Walk>(walk_in(known_scene, profile))),
+      viewer_(known_scene) {}
 
-KnownStart ToldHome::start() const { return {.physics = physics_, .walk = walk_, .viewer = viewer_}; }
+KnownStart KnownHome::start() const { return {.physics = physics_, .walk = walk_, .viewer = viewer_}; }
 
-KnownStart ToldHome::of(Scene& scene) {
+KnownStart KnownHome::of(Scene& scene) {
   KnownStart known = start();
   NavigationGrid grid = walk_->grid;
-  each_other_node(scene, told_, [&](std::size_t i, const Node& node) {
+  each_other_node(scene, known_scene_, [&](std::size_t i, const Node& node) {
     const auto collider = colliders_.of(node);
     known.physics.set(BodyId::node(i), collider, node.pose, node.movable ? node.mass : 0);
     const auto& held = scene.agent.held;
     const bool stands = std::find(held.begin(), held.end(), node.id) == held.end();
     grid.update(i, stands ? &node : nullptr, stands ? &collider->shape : nullptr);
   });
-  for (std::size_t i = scene.nodes.size(); i < told_.nodes.size(); ++i) {
+  for (std::size_t i = scene.nodes.size(); i < known_scene_.nodes.size(); ++i) {
     known.physics.remove(BodyId::node(i));
     grid.update(i, nullptr, nullptr);
   }
