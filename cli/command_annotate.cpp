@@ -41,7 +41,9 @@ void add_annotate_command(CommandParser& app, CommandLine& program) {
        {"unietp annotate out/mine --writer batch --batch out/batch --llm-model M",
         "write request files; run it again when the service's answers are in out/batch"}});
   command->add_option("FOLDER", options->request.folder, "A finished data set")->required()->folder();
-  command->add_option("--out", options->request.out, "Write a new data set here and leave the old one alone")->folder();
+  command->add_option("--out", options->request.out, "Write a new data set here and leave the old one alone")
+      ->folder()
+      ->output();
   command->add_option("--seed", options->request.seed, "Seed of the wording (default: that of the data set)");
   command->add_flag("--paired", options->request.paired,
                     "Also write wordings.jsonl: a direct, a referring and a complex wording of each task");

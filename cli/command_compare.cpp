@@ -68,7 +68,7 @@ void add_compare_command(CommandParser& app, CommandLine& program) {
        {"unietp compare out/runs/* --out out/leaderboard",
         "also as leaderboard.html, tables.md, tables.tex, tables.csv"}});
   command->add_option("RUN", options->runs, "Folders that `unietp evaluate` wrote")->required()->folder();
-  command->add_option("--out", options->out, "New folder for the tables and the page")->folder();
+  command->add_option("--out", options->out, "New folder for the tables and the page")->folder()->output();
   command->callback([options, &program] { program.exit = compare(*options); });
 }
 

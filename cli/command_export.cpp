@@ -123,7 +123,7 @@ void add_export_command(CommandParser& app, CommandLine& program) {
                    examples);
   command->add_option("FOLDER", options->dataset, "A finished data set")->required()->folder();
   command->add_option("--format", options->format, "Format to write")->required()->one_of(names)->type_name("FORMAT");
-  command->add_option("--out", options->out, "Folder to make; it must not exist")->required()->folder();
+  command->add_option("--out", options->out, "Folder to make; it must not exist")->required()->folder()->output();
   for (auto& special : options->special) add_to(*command, special);
   add_threads_option(*command, options->threads, program);
   command->callback([options, formats, &program] { program.exit = export_dataset(*options, *formats, program); });

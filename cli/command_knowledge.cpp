@@ -101,7 +101,7 @@ void add_knowledge_command(CommandParser& app, CommandLine& program) {
       "Other commands compile the tables when they need to, so this is only useful to check them or to "
       "ship the database.",
       {{"unietp knowledge build", ""}, {"unietp knowledge build --out out/compiled", ""}});
-  built->add_option("--out", *path, "Folder for the database (default: the user's cache)")->folder();
+  built->add_option("--out", *path, "Folder for the database (default: the user's cache)")->folder()->output();
   built->callback([path, &program] { program.exit = build(*path, program); });
   auto* imported = group->add_subcommand("import", "Rewrite data/akb/ from the simulators' metadata");
   imported->explain("docs/knowledge.md lists the metadata files.", {{"unietp knowledge import metadata", ""}});

@@ -9,6 +9,7 @@
 #include "cli/common_options.h"
 #include "cli/llm_options.h"
 #include "cli/progress_line.h"
+#include "core/folder_lock.h"
 #include "core/text.h"
 #include "core/unknown_name.h"
 #include "dataset/configuration.h"
@@ -126,6 +127,9 @@ Exit complete(const KnowledgeCompleteOptions& options, const CommandLine& progra
   if (options.llm.temperature >= 0) completion.temperature = options.llm.temperature;
   if (options.llm.max_tokens > 0) completion.max_tokens = options.llm.max_tokens;
 
+  const auto lock =
+      FolderLock::take(program.folders.tables() / "completed");  // read now, and written after each answer
+  if (!lock) return refuse(lock.error());
   std::vector<Error> errors;
   auto plan = plan_completion(program.folders.tables(), endpoint, completion, &*cache, errors);
   if (!errors.empty()) return refuse(errors);

@@ -38,7 +38,7 @@ void add_merge_command(CommandParser& app, CommandLine& program) {
   command->add_option("SHARD", options->shards, "The folders that runs with --shard made, all of them")
       ->required()
       ->existing_folder();
-  command->add_option("--out", options->out, "Folder to make")->required()->folder();
+  command->add_option("--out", options->out, "Folder to make")->required()->folder()->output();
   command->callback([options, &program] { program.exit = merge(*options, program); });
 }
 

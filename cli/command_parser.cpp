@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/help_text.h"
+#include "cli/output_place.h"
 #include "core/text.h"
 
 namespace unietp {
@@ -54,6 +55,10 @@ CommandOption* CommandOption::existing_file() {
 CommandOption* CommandOption::existing_folder() {
   option_->check(CLI::ExistingDirectory);
   return folder();
+}
+CommandOption* CommandOption::output() {
+  option_->check(refusal_of_output, "");
+  return this;
 }
 CommandOption* CommandOption::needs(const CommandOption* other) {
   option_->needs(other->option_);

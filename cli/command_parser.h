@@ -32,6 +32,7 @@ class CommandOption {
   CommandOption* one_of(const std::vector<std::string>& values);
   CommandOption* existing_file();
   CommandOption* existing_folder();
+  CommandOption* output();  // a place to write to, outside of data sets and the like (cli/output_place.h)
   /// This option is refused without the other, or together with it.
   CommandOption* needs(const CommandOption* other);
   CommandOption* excludes(const CommandOption* other);

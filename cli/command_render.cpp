@@ -176,7 +176,9 @@ void add_render_command(CommandParser& app, CommandLine& program) {
        {"unietp render out/first ai2thor-00001 --out depth.png --channel depth", ""}});
   command->add_option("FOLDER", options->dataset, "A finished data set")->required()->folder();
   command->add_option("TASK", options->task, "Id of a task in it")->required();
-  command->add_option("--out", options->out, "File to write; .png for the agent's view, otherwise SVG")->required();
+  command->add_option("--out", options->out, "File to write; .png for the agent's view, otherwise SVG")
+      ->required()
+      ->output();
   command->add_option("--step", options->step, "PNG: the step to show the view before; one past the last shows the end")
       ->shows_default();
   command->add_option("--mode", options->mode, "Mode of the demonstration")

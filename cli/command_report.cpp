@@ -63,7 +63,7 @@ void add_report_command(CommandParser& app, CommandLine& program) {
       "review` makes a page on which people judge each task.",
       {{"unietp report out/mine --out report.html", ""}});
   command->add_option("FOLDER", options->folder, "A finished data set")->required()->folder();
-  command->add_option("--out", options->out, "HTML file to write")->required();
+  command->add_option("--out", options->out, "HTML file to write")->required()->output();
   command->add_option("--examples", options->examples, "Number of example tasks")->within(0, 1000)->shows_default();
   add_threads_option(*command, options->threads, program);
   command->callback([options, &program] { program.exit = report(*options, program); });

@@ -77,7 +77,7 @@ void add_review_command(CommandParser& app, CommandLine& program) {
        {"unietp review out/mine --apply review-mine.json", "apply what the page saved"},
        {"unietp review out/mine --apply review-mine.json --out out/reviewed", ""}});
   command->add_option("FOLDER", options->folder, "A finished data set")->required()->folder();
-  command->add_option("--out", options->out, "HTML file to write; with --apply, a new data set to make");
+  command->add_option("--out", options->out, "HTML file to write; with --apply, a new data set to make")->output();
   auto* reviews = command->add_option("--apply", options->reviews, "File that the page saved")->existing_file();
   command->add_option("--view", options->view, "Width of the agent's view on the page, in pixels")
       ->within(16, 4096)

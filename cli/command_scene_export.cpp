@@ -74,7 +74,7 @@ void add_scene_export_command(CommandParser& group, CommandLine& program) {
       ->required()
       ->suggests({"procthor", "virtualhome", "habitat", "behavior"});
   command->add_option("SCENE", options->scene, "A scene file (.scene.json or .scene.json.gz)")->required();
-  command->add_option("--out", options->out, "File to write")->required();
+  command->add_option("--out", options->out, "File to write")->required()->output();
   command->callback([options, &program] { program.exit = write_out(*options, program); });
 }
 

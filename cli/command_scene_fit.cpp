@@ -35,7 +35,7 @@ void add_scene_fit_command(CommandParser& group, CommandLine& program) {
       {{"unietp scene fit metadata", "into the program's own data/layouts"},
        {"unietp scene fit metadata --out out/layouts", ""}});
   command->add_option("FOLDER", options->upstream, "Folder of the simulators' own files")->required()->folder();
-  command->add_option("--out", options->out, "Folder to write to (default: data/layouts)")->folder();
+  command->add_option("--out", options->out, "Folder to write to (default: data/layouts)")->folder()->output();
   command->callback([options, &program] { program.exit = fit(*options, program.folders); });
 }
 

@@ -139,7 +139,8 @@ Exit import(const SceneImportOptions& options, const CommandLine& program) {
   if (!options.homes.empty()) {
     if (const auto chosen = choose(options.homes, reading.homes); !chosen) return refuse(chosen.error());
   }
-  if (const auto ready = prepare_folder(options.out); !ready) return refuse(ready.error());
+  const auto lock = prepare_folder(options.out);
+  if (!lock) return refuse(lock.error());
 
   const auto& homes = reading.homes;
   std::vector<ImportOutcome> outcomes(homes.size());
@@ -196,7 +197,7 @@ void add_scene_import_command(CommandParser& group, CommandLine& program) {
   formats.insert(formats.begin(), "auto");
   command->add_option("FORMAT", options->format, "Format of the files")->required()->suggests(formats);
   command->add_option("FILE", options->files, "Scene files (.json or .jsonl, also with .gz)")->required();
-  command->add_option("--out", options->out, "Folder for scenes and reports")->required()->folder();
+  command->add_option("--out", options->out, "Folder for scenes and reports")->required()->folder()->output();
   command->add_option("--homes", options->homes, "Ids of the homes to import (default: all)")->type_name("ID,...");
   command->add_option("--assets", options->assets,
                       "Categories and sizes of models that scenes only name: a table for Habitat, the object inventory "

@@ -93,7 +93,8 @@ Exit make(const SceneMakeOptions& options, const CommandLine& program) {
   if (!reading.errors.empty()) return refuse(reading.errors);
   const auto homes = plans_of_homes(options, program.folders, reading.inputs);
   if (!homes) return refuse(homes.error());
-  if (const auto ready = prepare_folder(options.out); !ready) return refuse(ready.error());
+  const auto lock = prepare_folder(options.out);
+  if (!lock) return refuse(lock.error());
 
   std::vector<MakeOutcome> outcomes(homes->size());
   std::atomic<bool> unwritable{false};
@@ -154,7 +155,7 @@ void add_scene_make_command(CommandParser& group, CommandLine& program) {
   command->add_option("--layout", options->layouts, "Homes of the benchmark by id")->type_name("ID,...");
   command->add_flag("--benchmark", options->benchmark, "All homes of the benchmark");
   add_threads_option(*command, options->threads, program);
-  command->add_option("--out", options->out, "Folder for the files")->required()->folder();
+  command->add_option("--out", options->out, "Folder for the files")->required()->folder()->output();
   command->add_flag("--json", options->json, "Print the report as JSON");
   command->callback([options, &program] { program.exit = make(*options, program); });
 }

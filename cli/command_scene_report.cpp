@@ -100,7 +100,7 @@ void add_scene_report_command(CommandParser& group, CommandLine& program) {
        {"unietp scene report out/homes --views 8 --out homes.html", "these homes, up to eight rooms of each"}});
   command->add_option("FILE", options->files,
                       "Scene files, ours or a simulator's (.json or .jsonl, also with .gz), or folders of ours");
-  command->add_option("--out", options->out, "HTML file to write")->required();
+  command->add_option("--out", options->out, "HTML file to write")->required()->output();
   command->add_option("--each", options->each, "Homes of the benchmark of each simulator, when no file is given")
       ->within(1, 1000)
       ->shows_default();

@@ -66,7 +66,7 @@ void add_scene_show_command(CommandParser& group, CommandLine& program) {
   command->add_option("FILE", options->input, "A scene file, ours or a simulator's (.json or .jsonl, also with .gz)")
       ->required();
   command->add_option("--home", options->home, "Id of the home, when the file has several");
-  command->add_option("--out", options->out, "SVG file to write")->required();
+  command->add_option("--out", options->out, "SVG file to write")->required()->output();
   command->callback([options, &program] { program.exit = show(*options, program); });
 }
 

@@ -42,7 +42,7 @@ void add_sense_fit_command(CommandParser& knowledge, CommandLine& program) {
   command->add_option("--activities", options->activities, "Folder of BEHAVIOR's activity definitions")
       ->required()
       ->folder();
-  command->add_option("--out", options->out, "Folder to write to (default: data/sense)")->folder();
+  command->add_option("--out", options->out, "Folder to write to (default: data/sense)")->folder()->output();
   command->callback([options, &program] { program.exit = fit(*options, program); });
 }
 

@@ -157,7 +157,7 @@ void add_shape_command(CommandParser& app, CommandLine& program) {
   showing->explain("Up to eight objects: of the categories that have this shape, and in variants.",
                    {{"unietp shape show mug --out mug.png", ""}});
   showing->add_option("FAMILY", options->family, "Name of the family")->required()->suggests(family_names());
-  showing->add_option("--out", options->out, "PNG to write")->required();
+  showing->add_option("--out", options->out, "PNG to write")->required()->output();
   showing->callback([options, &program] { program.exit = show(*options, program); });
   auto* linting = group->add_subcommand("lint", "Check shapes");
   linting->explain(
@@ -170,7 +170,7 @@ void add_shape_command(CommandParser& app, CommandLine& program) {
   auto* page = group->add_subcommand("gallery", "Draw all families on one page");
   page->explain("Three objects of each family, with its name and what it shows.",
                 {{"unietp shape gallery --out shapes.html", ""}});
-  page->add_option("--out", options->out, "HTML file to write")->required();
+  page->add_option("--out", options->out, "HTML file to write")->required()->output();
   page->callback([options, &program] { program.exit = gallery(*options, program); });
   add_shape_quiz_command(*group, program);
 }

@@ -88,7 +88,8 @@ Exit quiz(const QuizOptions& options, const CommandLine& program) {
                          : quiz_of_things(knowledge, options.movables, options.furniture, options.seed);
   if (items.empty())
     return refuse({Error::Kind::Usage, options.of == "things" ? "--movables" : "--count", {}, "expected at least one"});
-  if (const auto ready = prepare_folder(options.out); !ready) return refuse(ready.error());
+  const auto lock = prepare_folder(options.out);
+  if (!lock) return refuse(lock.error());
   return write_quiz(items, options.out);
 }
 
@@ -108,7 +109,7 @@ void add_shape_quiz_command(CommandParser& shape, CommandLine& program) {
   command->add_option("--furniture", options->furniture, "Things: how many others")->shows_default();
   command->add_option("--count", options->count, "States and materials: how many pairs")->shows_default();
   command->add_option("--seed", options->seed, "Which categories, variants and views")->shows_default();
-  command->add_option("--out", options->out, "Folder to write")->required();
+  command->add_option("--out", options->out, "Folder to write")->required()->output();
   command->callback([options, &program] { program.exit = quiz(*options, program); });
 }
 

@@ -112,7 +112,9 @@ void add_template_new_command(CommandParser& group, CommandLine& program) {
         "      --goal '(exists (?a - A) (at-end (open ?a)))' --instruction 'Open {A:indefinite}.'",
         ""}});
   command->add_option("NAME", draft.name, "Name of a-z, 0-9 and '-'; the file is NAME.template")->required();
-  command->add_option("--out", options->out, "Folder to write the file to (default: the current one)")->folder();
+  command->add_option("--out", options->out, "Folder to write the file to (default: the current one)")
+      ->folder()
+      ->output();
   command->add_option("--like", options->like, "Template name or file that provides what is not given");
   command->add_option("--title", draft.title, "Title, such as 'open one <A>' (default: the name)");
   command->add_option("--purpose", draft.purpose, "What it is for, such as 'cleaning (because (dirty A))'");

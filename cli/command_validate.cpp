@@ -257,8 +257,10 @@ void add_validate_command(CommandParser& app, CommandLine& program) {
       ->folder()
       ->one_each();
   command->add_option("--dataset", options->dataset, "For an evaluation: the data set that it was made on")->folder();
-  command->add_option("--altered-plans", options->plans,
-                      "Write the altered plans that were run, with their results, to this file as JSON lines");
+  command
+      ->add_option("--altered-plans", options->plans,
+                   "Write the altered plans that were run, with their results, to this file as JSON lines")
+      ->output();
   command->add_flag("--kinds", options->kinds, "List the kinds of problems, as Markdown")->excludes(folder);
   add_threads_option(*command, options->threads, program);
   command->add_flag("--json", options->json, "Print the report as JSON");

@@ -220,14 +220,14 @@ void add_server_options(CommandParser& command, EvaluateChoice& choice) {
   command.add_option("--price-out", choice.price_out, "Price of a million reply tokens")->not_negative();
   command.add_option("--max-cost", choice.max_cost, "Ask for no further reply once the run has cost so much")
       ->not_negative();
-  command.add_option("--cache", choice.cache, "File of replies, to share them between runs (default: none)");
+  command.add_option("--cache", choice.cache, "File of replies, to share them between runs (default: none)")->output();
 }
 
 }  // namespace
 
 void add_evaluate_options(CommandParser& command, EvaluateChoice& choice) {
   command.add_option("DATASET", choice.folder, "A finished data set")->existing_folder()->required();
-  command.add_option("--out", choice.out, "Folder for the results")->folder();
+  command.add_option("--out", choice.out, "Folder for the results")->folder()->output();
   auto* model = command.add_option("--model", choice.model, "Model, by the server's name for it")->type_name("NAME");
   command.add_option("--llm-url", choice.url, "OpenAI-compatible server: .../v1; its key is in UNIETP_LLM_KEY")
       ->type_name("URL")

@@ -13,7 +13,7 @@ void add_llm_options(CommandParser& command, LlmChoice& choice, bool required) {
       ->type_name("NAME")
       ->required(required);
   command.add_option("--at-once", choice.ask.at_once, "Concurrent requests")->within(1, 256)->shows_default();
-  command.add_option("--cache", choice.cache, "File of cached answers (default: in the user's cache folder)");
+  command.add_option("--cache", choice.cache, "File of cached answers (default: in the user's cache folder)")->output();
   command.add_option("--llm-timeout", choice.ask.attempt_s, "Seconds for one attempt")
       ->within(0.01, 86400.0)
       ->shows_default();

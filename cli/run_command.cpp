@@ -113,10 +113,11 @@ Result<RunConfiguration> settings_in(const std::filesystem::path& file, CommandL
 
 void add_run_options(CommandParser& app, RunCommand& command, const CommandLine& program) {
   add_threads_option(app, command.run.threads, program);
-  app.add_option("--out", command.run.out, "Folder to make")->required()->folder();
+  app.add_option("--out", command.run.out, "Folder to make")->required()->folder()->output();
   app.add_flag("--resume", command.run.resume, "Continue the unfinished run in OUT.partial");
   app.add_option("--ledger", command.run.ledger,
-                 "Keep the record of all candidates, with stage, reason and cost, in this SQLite file");
+                 "Keep the record of all candidates, with stage, reason and cost, in this SQLite file")
+      ->output();
   app.add_option("--shard", command.shard, "Make only part K of N; `unietp merge` joins the parts")->type_name("K/N");
   app.add_option("--sense", command.sense,
                  "How much sense tasks must make: usual (default), tolerable or any (docs/sense.md)")

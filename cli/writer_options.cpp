@@ -144,7 +144,9 @@ void add_writer_options(CommandParser& command, WriterChoice& choice) {
                   "data set has")
       ->type_name("NAME")
       ->suggests({"us", "gb"});
-  command.add_option("--batch", choice.batch, "Folder of request and answer files, for --writer batch")->folder();
+  command.add_option("--batch", choice.batch, "Folder of request and answer files, for --writer batch")
+      ->folder()
+      ->output();
   command.add_option("--rewrites", choice.rewrites, "Further attempts after a model's text was refused")
       ->within(0, 20)
       ->shows_default();

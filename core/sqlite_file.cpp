@@ -6,12 +6,10 @@
 #include <stdexcept>
 
 #include "core/file_place.h"
+#include "core/resource_limits.h"
 
 namespace unietp {
 namespace {
-
-// Of a text or a row. The longest that is stored is a task with its demonstrations, a line of each mode.
-constexpr int kMostBytes = 64 << 20;
 
 [[noreturn]] void raise(sqlite3* database) { throw std::runtime_error(sqlite3_errmsg(database)); }
 
@@ -20,7 +18,7 @@ constexpr int kMostBytes = 64 << 20;
 void distrust_schema(sqlite3* database) {
   for (const int part : {SQLITE_DBCONFIG_ENABLE_VIEW, SQLITE_DBCONFIG_ENABLE_TRIGGER, SQLITE_DBCONFIG_TRUSTED_SCHEMA})
     sqlite3_db_config(database, part, 0, nullptr);
-  sqlite3_limit(database, SQLITE_LIMIT_LENGTH, kMostBytes);
+  sqlite3_limit(database, SQLITE_LIMIT_LENGTH, limits::kDatabaseBytes);
   sqlite3_exec(database, "PRAGMA cell_size_check=ON; PRAGMA mmap_size=0", nullptr, nullptr, nullptr);
 }
 

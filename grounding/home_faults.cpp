@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "core/resource_limits.h"
 #include "grounding/reach.h"
 #include "grounding/reachability.h"
 #include "scene/near_room.h"
@@ -38,7 +39,7 @@ class Checkup {
 
   std::vector<HomeFinding> findings() {
     for (std::size_t i = 0; i < scene_.nodes.size(); ++i) check(i);
-    std::size_t work = kMostWork;
+    std::size_t work = limits::kMostWork;
     for (const Drift& drift : drifting(scene_, world_, kMoves_m, work))
       add(HomeFault::Restless, drift.node, "", drift.moved_m);
     const Walk walk = walk_in(scene_, profile_);

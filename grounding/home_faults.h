@@ -39,7 +39,7 @@ struct HomeFinding {
 
 /// Stage: a scene → what is wrong with it, in the order of the faults, then of rooms or nodes. Nothing is changed. The
 /// time grows with the objects: two seconds of physics of all movable ones, twice (less in a heap of thousands:
-/// kMostWork), and a place to stand for each piece of furniture. Deterministic.
+/// limits::kMostWork), and a place to stand for each piece of furniture. Deterministic.
 std::vector<HomeFinding> faults_of(const Scene& scene, const Knowledge& knowledge, const Profile& profile);
 
 }  // namespace unietp

@@ -7,7 +7,9 @@
 
 namespace unietp {
 
-Result<Done> prepare_folder(const std::filesystem::path& folder) {
+Result<FolderLock> prepare_folder(const std::filesystem::path& folder) {
+  auto lock = FolderLock::take(folder);
+  if (!lock) return lock.error();
   const auto probe = folder / ("unietp-" + std::to_string(::getpid()) + ".tmp");
   if (const auto written = write_file(probe, ""); !written) {
     return Error{
@@ -15,7 +17,7 @@ Result<Done> prepare_folder(const std::filesystem::path& folder) {
   }
   std::error_code ignored;
   std::filesystem::remove(probe, ignored);
-  return Done{};
+  return lock;
 }
 
 std::string scene_file_name(const std::string& id) { return id + ".scene.json.gz"; }

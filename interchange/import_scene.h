@@ -7,11 +7,11 @@
 
 #include "akb/knowledge.h"
 #include "core/limits.h"
+#include "core/resource_limits.h"
 #include "core/result.h"
 #include "interchange/format_facts.h"
 #include "interchange/source_scene.h"
 #include "scene/scene.h"
-#include "simulation/drift.h"
 #include "simulation/profile.h"
 
 namespace unietp {
@@ -99,7 +99,7 @@ struct ImportOptions {
   bool own_ids = false;                                 // objects keep the ids that the simulator has for them
   std::size_t most_objects = limits::kImportedObjects;  // a file with more is refused
   std::size_t most_rooms = limits::kImportedRooms;      // the same
-  std::size_t most_work = kMostWork;                    // of physics; then everything is held in place
+  std::size_t most_work = limits::kMostWork;            // of physics; then everything is held in place
 };
 
 /// Stage: a file's own account → a scene of ours with each known object at its place. Names are matched with the

@@ -19,6 +19,13 @@ Error io_error(const std::filesystem::path& path, const std::string& reason) {
           "cannot be used as a cache: " + reason + "; expected a file written by this program, or no file"};
 }
 
+/// Whether a database has tables, and not those of a cache.
+bool is_of_others(SqliteFile& file) {
+  auto tables = file.prepare("SELECT count(*), total(name = 'answer') FROM sqlite_master WHERE type = 'table'");
+  tables.step();
+  return tables.integer(0) > 0 && tables.integer(1) == 0;
+}
+
 }  // namespace
 
 Result<LlmCache> LlmCache::open(const std::filesystem::path& path) {
@@ -27,6 +34,7 @@ Result<LlmCache> LlmCache::open(const std::filesystem::path& path) {
   if (code) return io_error(path, "cannot create its folder: " + code.message());
   try {
     SqliteFile file(path, SqliteFile::Mode::Create);
+    if (is_of_others(file)) return io_error(path, "it has tables of another program or purpose");
     file.run(kSchema);
     (void)file.prepare("SELECT text, prompt_tokens, completion_tokens, attempts FROM answer WHERE digest = ?");
     return LlmCache(path, std::move(file));

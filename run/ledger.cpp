@@ -147,6 +147,23 @@ Result<Ledger> Ledger::read_only(const std::filesystem::path& path, const std::s
   }
 }
 
+Result<Done> Ledger::check_replaceable(const std::filesystem::path& path) {
+  std::error_code code;
+  if (!std::filesystem::exists(std::filesystem::symlink_status(path, code))) return Done{};
+  try {
+    SqliteFile file(path, SqliteFile::Mode::Read);
+    (void)file.prepare("SELECT identity FROM run");
+    (void)file.prepare("SELECT slot, attempt, accepted" + columns(", ", "") + ", cost FROM candidate");
+    return Done{};
+  } catch (const std::exception& reason) {
+    return Error{Error::Kind::Usage,
+                 path.string(),
+                 {},
+                 std::string("exists and is no ledger of this program: ") + reason.what() +
+                     "; choose another file, or remove this one first"};
+  }
+}
+
 Result<Done> Ledger::copy_to(const std::filesystem::path& path, bool with_costs) {
   const std::scoped_lock lock(*mutex_);
   try {

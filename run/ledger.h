@@ -23,6 +23,8 @@ class Ledger {
   static Result<Ledger> open(const std::filesystem::path& path, const std::string& identity);
   /// Opens a file that `copy_to` made, to read only. Errors: also Usage when it is of another run.
   static Result<Ledger> read_only(const std::filesystem::path& path, const std::string& identity);
+  /// Whether a ledger may be written to `path`: there is nothing, or another ledger. Errors: Usage.
+  static Result<Done> check_replaceable(const std::filesystem::path& path);
   /// Writes everything to one new file, in order of slot and attempt. Costs differ between equal runs, so they are left
   /// out unless asked for.
   Result<Done> copy_to(const std::filesystem::path& path, bool with_costs = false);

@@ -85,8 +85,9 @@ std::vector<Block> share_of(std::vector<Block> blocks, const Shard& shard) {
   return own;
 }
 
-/// Writes a copy under a temporary name and renames it over `path`.
+/// Writes a copy under a temporary name and renames it over `path`, where only another ledger may be by now.
 Result<Done> keep_ledger(Ledger& ledger, const std::filesystem::path& path) {
+  if (auto free = Ledger::check_replaceable(path); !free) return free;
   const auto temporary = path.string() + ".tmp";
   std::error_code code;
   std::filesystem::remove(temporary, code);
@@ -150,12 +151,13 @@ Result<RunReport> run_generation(const RunConfiguration& configuration, const Re
   int asked = 0;
   for (const Block& block : blocks) asked += static_cast<int>(block.slots.size());
 
+  if (!options.ledger.empty()) {  // now rather than when all is made
+    if (auto free = Ledger::check_replaceable(options.ledger); !free) return free.error();
+    if (auto writable = check_writable(options.ledger); !writable) return writable.error();
+  }
   auto work =
       RunFolder::enter(options.out, identity_in_folder(configuration, resources, options.shard), options.resume);
   if (!work) return work.error();
-  if (!options.ledger.empty()) {  // now rather than when all is made
-    if (auto writable = check_writable(options.ledger); !writable) return writable.error();
-  }
   if (work->already_published()) return RunReport{false, asked, asked, 0, 0, {}, {}};
   auto ledger = Ledger::open(work->ledger(), identity_of(configuration, resources));
   if (!ledger) return ledger.error();

@@ -15,10 +15,6 @@ struct Drift {
   double fallen_m = 0;  // how far down, of that
 };
 
-/// Work that a home may take in physics altogether (SettleOptions::most_work): some twenty times what 300 movable
-/// objects take that stand apart.
-inline constexpr std::size_t kMostWork = 30'000'000;
-
 /// The bodies of all movable objects, in order of the nodes.
 std::vector<BodyId> loose_bodies(const Scene& scene);
 

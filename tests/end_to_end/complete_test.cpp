@@ -1,4 +1,6 @@
 // `unietp knowledge complete` as a user runs it, against a server on loopback.
+#include <unistd.h>
+
 #include <algorithm>
 #include <atomic>
 #include <csignal>
@@ -10,6 +12,7 @@
 
 #include "../llm/model.h"
 #include "core/files.h"
+#include "core/folder_lock.h"
 #include "program.h"
 #include "schema_checker.h"
 
@@ -128,6 +131,18 @@ TEST_F(CompleteCommand, KilledAndRunAgainGivesTheBytesOfOneRun) {
     EXPECT_EQ(ended.code, 0) << ended.err;
     EXPECT_EQ(completed(root), completed(whole));
   }
+}
+
+TEST_F(CompleteCommand, IsRefusedWhileAnotherProcessCompletesTheSameTables) {
+  ChatServer server(answer_all);
+  const auto root = data("own");
+  const auto lock = FolderLock::take(fs::path(root) / "data/akb/completed");
+  ASSERT_TRUE(lock);
+  const auto ended = run_program(command(root, server));
+  EXPECT_EQ(ended.code, 2) << ended.out;
+  EXPECT_THAT(ended.err, HasSubstr("process " + std::to_string(::getpid()) + " on "));
+  EXPECT_EQ(server.count(), 0);
+  EXPECT_THAT(completed(root), IsEmpty());
 }
 
 TEST_F(CompleteCommand, ADryRunPrintsThePromptsAndSendsNothing) {

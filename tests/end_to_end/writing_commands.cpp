@@ -41,6 +41,7 @@ const fs::path& material() {
       fs::copy_file(home.path(), folder / "home.scene.json.gz");
       break;
     }
+    run_here(folder, "scene export habitat home.scene.json.gz --out foreign.json");
     const auto tasks = json_lines(folder / "data" / "tasks.jsonl");
     Json reviews = Json::array();
     for (const auto& [i, verdict] : {std::pair{0, "accept"}, std::pair{1, "reject"}, std::pair{2, "edit"}}) {
@@ -78,13 +79,15 @@ std::vector<WritingCommand> writing_commands() {
       {"shape show", "shape show mug --out out.png", "out.png"},
       {"shape quiz", "shape quiz states --count 3 --seed 3 --out out", "out", true},
       {"scene show", "scene show home.scene.json.gz --out out.svg", "out.svg"},
+      {"scene report", "scene report home.scene.json.gz --views 0 --width 64 --out out.html", "out.html"},
+      {"scene import", "scene import auto foreign.json --out out", "out", true},
       {"scene export", "scene export habitat home.scene.json.gz --out out.json", "out.json"},
       {"knowledge build", "knowledge build --out out", "out", true},
       {"scene make", "scene make --simulator habitat --count 2 --seed 3 --out out", "out", true},
       {"template new", "template new mine --like place-one-on --out out", "out", true},
   };
-  for (const char* format :
-       {"sft", "unietp-release", "bddl", "pddl", "ltlf", "virtualhome", "ai2thor", "behavior", "starts"})
+  for (const char* format : {"sft", "unietp-release", "bddl", "pddl", "ltlf", "virtualhome", "virtualhome-unity",
+                             "habitat", "ai2thor", "behavior", "starts", "forms"})
     commands.push_back(
         {std::string("export ") + format, std::string("export data --format ") + format + " --out out", "out"});
   return commands;

@@ -15,8 +15,10 @@ struct WritingCommand {
   bool in_parts = false;  // its folder gets files one by one, each whole
 };
 
-/// Every command that writes files, but those that need a server or the simulators' own files, and `evaluate`, whose
-/// files tell how long things took (evaluate_test.cpp kills it).
+/// Every command that writes files, but those whose files tell how long things took: `evaluate` (evaluate_test.cpp
+/// kills it) and the ledger of a run (kept_test.cpp does); `knowledge complete`, which needs a server
+/// (complete_test.cpp); and those that make this program's own tables of the simulators' files (`scene fit`, `knowledge
+/// import`).
 std::vector<WritingCommand> writing_commands();
 
 /// A folder with a data set, two shards, configurations, a review and two evaluations, in which commands are run.

@@ -1,4 +1,4 @@
-// docs/limits.md lists every bound of core/limits.h, core/evaluation_limits.h and core/shape_limits.h with its value.
+// docs/limits.md lists every bound of core/limits.h and the headers like it with its value.
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -21,7 +21,7 @@ double number_of(const std::string& digits) {
   return value;
 }
 
-/// "256", "1'000", "std::size_t{8} << 20" or the name of an earlier constant.
+/// "256", "1'000", "std::size_t{8} << 20", "64 << 20" or the name of an earlier constant.
 double value_of(std::string expression, const std::map<std::string, double>& known) {
   if (const auto found = known.find(expression); found != known.end()) return found->second;
   expression = replace_all(replace_all(replace_all(expression, "'", ""), "std::size_t{", ""), "}", "");
@@ -32,9 +32,9 @@ double value_of(std::string expression, const std::map<std::string, double>& kno
 
 std::map<std::string, double> bounds_of_header() {
   std::map<std::string, double> bounds;
-  const auto text = *read_file(kCheckout / "core" / "limits.h") +
-                    *read_file(kCheckout / "core" / "evaluation_limits.h") +
-                    *read_file(kCheckout / "core" / "shape_limits.h");
+  std::string text;
+  for (const char* header : {"limits.h", "evaluation_limits.h", "resource_limits.h", "shape_limits.h"})
+    text += *read_file(kCheckout / "core" / header);
   for (const auto& line : split(text, '\n')) {
     if (!line.starts_with("inline constexpr ")) continue;
     std::string list = line.substr(0, line.find(';'));

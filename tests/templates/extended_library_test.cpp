@@ -54,6 +54,18 @@ TEST(ExtendedLibrary, NoTwoTemplatesAskForTheSameByTheSameMeans) {
   }
 }
 
+/// Each comparison of a count with a number, and of two counts in either direction, is that of some task.
+TEST(ExtendedLibrary, CountsAreComparedInEachWay) {
+  std::string goals;
+  for (const auto* library : {"library", "extended"}) {
+    for (const auto& t : folder(library).templates) goals += to_text(t.goal);
+  }
+  for (const char* sign : {"= ", ">= ", "<= ", "> ", "< "})
+    EXPECT_NE(goals.find(std::string("(count ") + sign), std::string::npos) << sign;
+  EXPECT_NE(goals.find("(count = (number "), std::string::npos);
+  EXPECT_NE(goals.find("(count > (number "), std::string::npos);
+}
+
 struct Row {
   std::string split, name, library, source, note;
 };
