@@ -183,6 +183,28 @@ bool sounds_right(const std::string& text) {
   return std::none_of(kNever.begin(), kNever.end(), [&](const char* words) { return text.find(words) != text.npos; });
 }
 
+/// "Get something to drink it from and put it on the desk", not "take something to drink it from to the kitchen" nor
+/// "wash something to stir it with and the mortar": what is needed comes last, or before what is done with it.
+bool ends_with_need(const std::string& text, const std::string& need) {
+  const std::size_t at = text.find(need);
+  if (at == std::string::npos || !need.starts_with("something ")) return true;
+  const std::string_view rest = std::string_view(text).substr(at + need.size());
+  if (rest.starts_with(".") || rest.starts_with(",")) return true;
+  constexpr std::array kThings{"the ", "a ", "an ", "some ", "one ", "both ", "all ", "something "};
+  constexpr std::string_view kAnd = " and ";
+  return rest.starts_with(kAnd) && std::none_of(kThings.begin(), kThings.end(), [&](const char* article) {
+           return rest.substr(kAnd.size()).starts_with(article);
+         });
+}
+
+bool ends_with_needs(const std::string& text, const NounTable& lexicon) {
+  if (text.find("something ") == std::string::npos) return true;
+  return std::all_of(lexicon.phrases().begin(), lexicon.phrases().end(), [&](const auto& one) {
+    const auto& phrase = one.second;
+    return ends_with_need(text, phrase.use == AliasKind::Occasion ? phrase.need : phrase.text);
+  });
+}
+
 /// Adds to a text what a style has besides what is asked. False when there is nothing to add.
 bool add_style_frame(std::string& text, const Specification& specification, Style style, const TextChecker& judge,
                      const Knowledge& knowledge, const NounTable& lexicon, Rng& rng) {
@@ -312,7 +334,7 @@ class Writer {
     const bool plain = with_plain_places(written) != written;
     // "Put it where we wash our hands and close it."
     if (plain && text.find(" it", where) != text.npos) return std::nullopt;
-    if (!sounds_right(text)) return std::nullopt;
+    if (!sounds_right(text) || !ends_with_needs(text, nouns_)) return std::nullopt;
     if (is_everyday()) text = with_room_tables(with_tops(std::move(text), nouns_));
     // Nobody is asked to close "the place where we wash our hands".
     if (text.find(" the place where ") != text.npos || text.find(" the spot where ") != text.npos) return std::nullopt;

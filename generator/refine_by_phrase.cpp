@@ -101,6 +101,16 @@ bool may_be_any_kind(const GoalVariable& variable, const Specification& plain, c
          });
 }
 
+/// How many of the goal's categories can be carried. "Wash something to stir it with and the mortar" trips who hears
+/// it.
+std::ptrdiff_t carried_in(const Formula& goal, const Knowledge& knowledge) {
+  const auto categories = categories_of(goal);
+  return std::count_if(categories.begin(), categories.end(), [&](const std::string& name) {
+    const auto* category = knowledge.find(name);
+    return category != nullptr && category->movable;
+  });
+}
+
 }  // namespace
 
 AliasKind phrases_of(Style style) {
@@ -120,6 +130,7 @@ AliasKind phrases_of(Style style) {
 
 std::optional<Specification> refine_by_phrase(const Specification& plain, const Knowledge& knowledge,
                                               const SceneOffer& offer, Style style, Rng rng) {
+  if (style == Style::Context && carried_in(plain.goal, knowledge) > 1) return std::nullopt;
   std::vector<std::string> choices;
   for (const auto& variable : singular_variables(plain.goal)) {
     if (style == Style::Context &&

@@ -7,6 +7,7 @@
 #include "annotator/everyday_names.h"
 #include "core/text.h"
 #include "generator/fixed_start.h"
+#include "generator/goal_variable.h"
 #include "generator/propose.h"
 #include "generator/style_fit.h"
 #include "grounding/goal_places.h"
@@ -55,8 +56,9 @@ bool has_namesake(const std::string& category, const Home& home, const Household
 /// than its room is said of it, also furniture that people call so.
 bool has_twin(const Domain& asked, const Home& home, const Household& household, const NounTable& nouns) {
   const std::string& category = asked.members.front().category;
-  const bool said = std::any_of(asked.where.begin(), asked.where.end(),
-                                [](const Formula& test) { return test.predicate != Predicate::InRoom; });
+  const bool said = std::any_of(asked.where.begin(), asked.where.end(), [](const Formula& test) {
+    return predicates_in(test) != std::set<Predicate>{Predicate::InRoom};
+  });
   const auto& there = home.places.of(category);
   if (there.empty() || home.scene.nodes[there.front()].movable) return false;
   const std::string own = spoken_name(category, nouns);
