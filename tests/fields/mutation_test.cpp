@@ -71,7 +71,10 @@ void expect_sound(const ValidationReport& report) {
   EXPECT_EQ(report.counts.proven, 19);
 }
 
-TEST(Mutation, TheSetItselfIsSound) { expect_sound(forged_set().unchanged()); }
+TEST(Mutation, TheSetItselfIsSoundAndHasAPlanThatTempts) {
+  expect_sound(forged_set().unchanged());
+  EXPECT_THAT(forged_set().text("demonstrations/M1.jsonl"), ::testing::HasSubstr("\"tempting\""));
+}
 
 /// What the forger does besides its changes is no reason to refuse a file: it writes lines anew, with other digits of
 /// the same numbers where its library takes a digit more than the shortest text.
