@@ -71,10 +71,7 @@ void expect_sound(const ValidationReport& report) {
   EXPECT_EQ(report.counts.proven, 19);
 }
 
-TEST(Mutation, TheSetItselfIsSoundAndHasAPlanThatTempts) {
-  expect_sound(forged_set().unchanged());
-  EXPECT_THAT(forged_set().text("demonstrations/M1.jsonl"), ::testing::HasSubstr("\"tempting\""));
-}
+TEST(Mutation, TheSetItselfIsSound) { expect_sound(forged_set().unchanged()); }
 
 /// What the forger does besides its changes is no reason to refuse a file: it writes lines anew, with other digits of
 /// the same numbers where its library takes a digit more than the shortest text.
