@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <sstream>
 #include <stdexcept>
 
 #include "core/files.h"
@@ -20,6 +21,10 @@ std::filesystem::path scratch_file() {
   if (file < 0) throw std::runtime_error("no temporary file");
   ::close(file);
   return pattern;
+}
+
+double seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) / 1e6;
 }
 
 std::string taken(const std::filesystem::path& path) {
@@ -70,8 +75,20 @@ bool RunningProgram::reap(int options) {
   if (!ended_ && ::wait4(process_, &status_, options, &used) == process_) {
     ended_ = true;
     peak_bytes_ = static_cast<std::size_t>(used.ru_maxrss) * 1024;
+    processor_s_ = seconds(used.ru_utime) + seconds(used.ru_stime);
   }
   return ended_;
+}
+
+double RunningProgram::processor_s() const {
+  const auto now = read_file("/proc/" + std::to_string(process_) + "/stat");  // proc(5)
+  if (!now) return processor_s_;
+  std::istringstream fields(now->substr(now->rfind(')') + 1));
+  std::string skipped;
+  for (int field = 3; field < 14; ++field) fields >> skipped;
+  double user = 0, system = 0;
+  fields >> user >> system;
+  return (user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK));
 }
 
 void RunningProgram::send(int signal) const { ::kill(process_, signal); }
@@ -80,6 +97,7 @@ Ended RunningProgram::wait() {
   (void)reap(0);
   Ended ended;
   ended.peak_bytes = peak_bytes_;
+  ended.processor_s = processor_s_;
   if (WIFEXITED(status_)) ended.code = WEXITSTATUS(status_);
   if (WIFSIGNALED(status_)) ended.signal = WTERMSIG(status_);
   ended.out = taken(out_);

@@ -17,6 +17,7 @@ struct Ended {
   int signal = 0;  // that signal
   std::string out, err;
   std::size_t peak_bytes = 0;  // of its memory
+  double processor_s = 0;      // of all its threads
 };
 
 /// The program under way in a process of its own.
@@ -30,6 +31,8 @@ class RunningProgram {
   RunningProgram& operator=(const RunningProgram&) = delete;
   ~RunningProgram();
   bool running();
+  /// What it has used of the processor so far, to 0.01 s.
+  double processor_s() const;
   void send(int signal) const;
   Ended wait();
 
@@ -39,6 +42,7 @@ class RunningProgram {
   pid_t process_ = -1;
   int status_ = 0;
   std::size_t peak_bytes_ = 0;
+  double processor_s_ = 0;
   bool ended_ = false;
   std::filesystem::path out_, err_;
 };

@@ -29,6 +29,14 @@ Scene with_table_at(const Vec3& offset) {
   return scene;
 }
 
+/// How far the mug on the table falls, in m.
+double fallen(RestCheck& rest, const Scene& scene) {
+  for (const auto& one : rest.of(scene, physics_of(scene))) {
+    if (scene.nodes[one.node].id == "mug_1") return one.distance_m;
+  }
+  return 0;
+}
+
 TEST(RestCheck, AHouseAtRestStaysAndWhatHangsInTheAirFalls) {
   RestCheck rest(kMoved_m);
   Scene scene = testing::house();
@@ -52,15 +60,17 @@ TEST(RestCheck, WhatItFoundOfAHomeSaysNothingOfOneWhoseSupportsStandElsewhere) {
 
 TEST(RestCheck, HowFarAThingFallsIsThatToWhatLiesBelowItNow) {
   RestCheck shared(kMoved_m);
-  const auto fallen = [&](double lower_m) {
-    const Scene scene = with_table_at(Vec3(0, 0, -lower_m));
-    for (const auto& one : shared.of(scene, physics_of(scene))) {
-      if (scene.nodes[one.node].id == "mug_1") return one.distance_m;
-    }
-    return 0.0;
-  };
-  EXPECT_NEAR(fallen(0.1), 0.1, 0.02);
-  EXPECT_NEAR(fallen(0.3), 0.3, 0.02);
+  for (const double lower_m : {0.1, 0.3})
+    EXPECT_NEAR(fallen(shared, with_table_at(Vec3(0, 0, -lower_m))), lower_m, 0.02);
+}
+
+TEST(RestCheck, WhatLiesFarBelowIsLookedAtAsWell) {
+  RestCheck shared(kMoved_m);
+  for (const double lower_m : {0.0, 0.2}) {
+    Scene scene = with_table_at(Vec3(0, 0, -lower_m));
+    edit_node(scene, "mug_1")->pose.position.z() += 0.6;
+    EXPECT_NEAR(fallen(shared, scene), 0.6 + lower_m, 0.02);
+  }
 }
 
 }  // namespace
