@@ -30,8 +30,8 @@ double student_975(double freedom);
 /// worth, at most as many as there are; the interval is Wilson's of as many, with Student's t in the place of the
 /// normal quantile. Where all clusters have mean 0, or all have mean 1, nothing varies between draws and each cluster
 /// is one trial. [0, 1] for fewer than two clusters.
-/// The percentiles of the draws cover rates below 10 % too seldom: in 92 to 93 % of simulations; these in 94 to 98 %
-/// (docs/results.md). Source: Dean and Pagano 2015, "Evaluating confidence interval methods for binomial proportions in
+/// Percentiles of the draws cover rare successes in few homes too seldom; docs/results.md says how often these do.
+/// Source: Dean and Pagano 2015, "Evaluating confidence interval methods for binomial proportions in
 /// clustered surveys", Journal of Survey Statistics and Methodology 3, "Wilson", with the variance of a bootstrap.
 Interval bootstrap_interval(std::span<const ClusterSum> clusters, Rng rng, int draws = 2000);
 
