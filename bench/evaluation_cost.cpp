@@ -142,8 +142,8 @@ struct Bench {
     EvaluationOptions options;
     options.watcher = watched.watchers();
     (void)sound(evaluate(episodes, source, setup.settings, policies, log, options));
-    (void)sound(write_evaluation(folder, setup, episodes, log));
-    if (with_results) (void)sound(write_results(folder, {judging, 1, &watched}, {0}));
+    (void)sound(write_evaluation(folder, setup, episodes, log, 0));
+    if (with_results) (void)sound(write_results(folder, {judging, 1, &watched}));
     return processor_seconds() - begin;
   }
 };

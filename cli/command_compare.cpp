@@ -8,6 +8,8 @@
 #include "scores/comparison.h"
 #include "scores/evaluation_page.h"
 #include "scores/result_tables.h"
+#include "scores/table_cells.h"
+#include "scores/write_results.h"
 
 namespace unietp {
 namespace {
@@ -17,14 +19,27 @@ struct CompareOptions {
   std::filesystem::path out;
 };
 
+/// The URL of each run's report, as seen from a page in the folder; "" where there is none.
+std::vector<std::string> reports_from(const std::filesystem::path& folder,
+                                      const std::vector<std::filesystem::path>& runs) {
+  std::vector<std::string> reports;
+  for (const auto& run : runs) {
+    std::error_code failed;
+    const auto report = std::filesystem::relative(run / kReportFile, folder, failed);
+    const bool is_there = !failed && std::filesystem::exists(run / kReportFile, failed);
+    reports.push_back(is_there ? in_url(report.generic_string()) : "");
+  }
+  return reports;
+}
+
 Result<Done> write_comparison(const std::filesystem::path& folder, const std::vector<ScoredRun>& runs,
-                              const std::vector<ResultTable>& tables) {
+                              const std::vector<ResultTable>& tables, const std::vector<std::string>& reports) {
   auto staged = StagedFolder::begin(folder, false);
   if (!staged) return staged.error();
   const std::pair<const char*, std::string> files[] = {{"tables.md", to_markdown(tables)},
                                                        {"tables.tex", to_latex(tables)},
                                                        {"tables.csv", to_csv(tables)},
-                                                       {"leaderboard.html", leaderboard_page(runs)}};
+                                                       {"leaderboard.html", leaderboard_page(runs, reports)}};
   for (const auto& [name, text] : files) {
     if (auto done = write_file(staged->folder(), name, text); !done) return done;
   }
@@ -42,7 +57,8 @@ Exit compare(const CompareOptions& options) {
   auto tables = comparison_tables(runs);
   for (ResultTable& table : result_tables(runs)) tables.push_back(std::move(table));
   if (!options.out.empty()) {
-    if (const auto done = write_comparison(options.out, runs, tables); !done) return refuse(done.error());
+    if (const auto done = write_comparison(options.out, runs, tables, reports_from(options.out, options.runs)); !done)
+      return refuse(done.error());
   }
   std::fputs(to_plain_text(tables).c_str(), stdout);
   for (const ScoredRun& run : runs) {

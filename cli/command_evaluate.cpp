@@ -149,7 +149,7 @@ Exit run_job(const EvaluateChoice& choice, const EvaluationJob& job, const Comma
   const fs::path manifest_file = choice.out / kEvaluationManifest;
   std::error_code code;
   if (!fs::exists(manifest_file, code)) {
-    EvaluationManifest begun{job.setup, {}, {}};
+    EvaluationManifest begun{job.setup, {}, {}, choice.report_pictures};
     begun.totals.episodes = static_cast<int>(job.plan.episodes.size());
     if (auto done = write_file(manifest_file, to_text(begun)); !done) return refuse(done.error());
   }
@@ -180,7 +180,7 @@ Exit run_job(const EvaluateChoice& choice, const EvaluationJob& job, const Comma
                        report->progress.finished, report->progress.episodes);
     return Exit::Interrupted;
   }
-  const auto manifest = write_evaluation(choice.out, job.setup, job.plan, *log);
+  const auto manifest = write_evaluation(choice.out, job.setup, job.plan, *log, choice.report_pictures);
   if (!manifest) return refuse(manifest.error());
   print_summary(*manifest, *report, choice.out);
   if (const Exit exit = write_and_print_results(choice.out, *judging, *watched, program.processors); exit != Exit::Ok)

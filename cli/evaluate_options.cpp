@@ -242,6 +242,12 @@ void add_evaluate_options(CommandParser& command, EvaluateChoice& choice) {
   add_server_options(command, choice);
   command.add_option("--at-once", choice.at_once, "Episodes at a time (default: 4 for a model, else the processors)")
       ->within(1, 256);
+  command
+      .add_option("--report-pictures", choice.report_pictures,
+                  "Episodes that the report has pictures of, spread over modes, splits and results; --resume gives a "
+                  "finished run another report")
+      ->within(0, 1'000'000)
+      ->shows_default();
   command.add_flag("--resume", choice.resume, "Go on with the run in the folder --out");
   command.add_flag("--dry-run", choice.dry_run, "Say what would be run, with the first prompt; send nothing");
   command.add_option("--show-prompt", choice.show_prompt, "Print what a model is sent at a step, counted from 1")

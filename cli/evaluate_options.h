@@ -20,7 +20,7 @@ struct EvaluateChoice {
   std::string model, url, policy;
   std::string backend = "unietp";
   std::string modes = "M1", splits, simulators, tasks, preset = "paper";
-  int limit = 0, repeats = 1, at_once = 0;
+  int limit = 0, repeats = 1, at_once = 0, report_pictures = kReportPictures;
   std::optional<std::uint64_t> seed;
   bool resume = false, dry_run = false;
   std::string show_prompt;  // "TASK:STEP"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <map>
 #include <vector>
 
 #include <png.h>
@@ -31,7 +30,18 @@ Result<std::string> written(png_image image, const void* pixels, const std::uint
 
 using Colour = std::array<std::uint8_t, 3>;
 
-std::uint8_t rounded(std::uint8_t value) { return static_cast<std::uint8_t>((value & 0xF8) | value >> 5); }
+// Colors are told apart by five bits a channel. Their numbers are in the order of the colors.
+constexpr std::size_t kNumbers = 1 << 15;
+std::size_t number_of(const std::uint8_t* rgb) {
+  return static_cast<std::size_t>((rgb[0] >> 3) << 10 | (rgb[1] >> 3) << 5 | rgb[2] >> 3);
+}
+Colour colour_of(std::size_t number) {
+  const auto channel = [&](int shift) {
+    const std::size_t five = number >> shift & 31;
+    return static_cast<std::uint8_t>(five << 3 | five >> 2);
+  };
+  return {channel(10), channel(5), channel(0)};
+}
 
 int distance(const Colour& a, const Colour& b) {
   int sum = 0;
@@ -39,22 +49,26 @@ int distance(const Colour& a, const Colour& b) {
   return sum;
 }
 
-/// At most 256 colors, the most frequent ones, and for each color of the image the one that replaces it.
-std::map<Colour, std::uint8_t> palette_of(std::span<const std::uint8_t> rgb, std::vector<std::uint8_t>& palette) {
-  std::map<Colour, int> counts;
-  for (std::size_t i = 0; i < rgb.size(); i += 3) ++counts[{rounded(rgb[i]), rounded(rgb[i + 1]), rounded(rgb[i + 2])}];
-  std::vector<std::pair<Colour, int>> most(counts.begin(), counts.end());
+/// At most 256 colors, the most frequent ones, and for the number of each color of the image the one that replaces it.
+std::vector<std::uint8_t> palette_of(std::span<const std::uint8_t> rgb, std::vector<std::uint8_t>& palette) {
+  std::vector<int> counts(kNumbers, 0);
+  for (std::size_t i = 0; i < rgb.size(); i += 3) ++counts[number_of(&rgb[i])];
+  std::vector<std::pair<Colour, int>> most;
+  for (std::size_t number = 0; number < kNumbers; ++number) {
+    if (counts[number] > 0) most.emplace_back(colour_of(number), counts[number]);
+  }
   std::stable_sort(most.begin(), most.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
   constexpr std::size_t kColours = 256;
   most.resize(std::min(most.size(), kColours));
   for (const auto& [colour, count] : most) palette.insert(palette.end(), colour.begin(), colour.end());
-  std::map<Colour, std::uint8_t> index;
-  for (const auto& seen : counts) {
-    const Colour& colour = seen.first;
+  std::vector<std::uint8_t> index(kNumbers, 0);
+  for (std::size_t number = 0; number < kNumbers; ++number) {
+    if (counts[number] == 0) continue;
+    const Colour colour = colour_of(number);
     const auto nearest = std::min_element(most.begin(), most.end(), [&](const auto& a, const auto& b) {
       return distance(a.first, colour) < distance(b.first, colour);
     });
-    index[colour] = static_cast<std::uint8_t>(nearest - most.begin());
+    index[number] = static_cast<std::uint8_t>(nearest - most.begin());
   }
   return index;
 }
@@ -70,8 +84,8 @@ Result<std::string> few_colours_png(int width, int height, std::span<const std::
   assert(rgb.size() == 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   std::vector<std::uint8_t> palette, pixels;
   const auto index = palette_of(rgb, palette);
-  for (std::size_t i = 0; i < rgb.size(); i += 3)
-    pixels.push_back(index.at({rounded(rgb[i]), rounded(rgb[i + 1]), rounded(rgb[i + 2])}));
+  pixels.reserve(rgb.size() / 3);
+  for (std::size_t i = 0; i < rgb.size(); i += 3) pixels.push_back(index[number_of(&rgb[i])]);
   png_image image = image_of(width, height, PNG_FORMAT_RGB_COLORMAP);
   image.colormap_entries = static_cast<png_uint_32>(palette.size() / 3);
   return written(image, pixels.data(), palette.data());

@@ -8,6 +8,7 @@
 #include "akb/knowledge.h"
 #include "core/result.h"
 #include "grounding/home.h"
+#include "grounding/household.h"
 #include "logic/formula.h"
 #include "logic/monitor.h"
 #include "record/task_record.h"
@@ -24,6 +25,7 @@ namespace unietp {
 struct SimulatorData {
   std::shared_ptr<const Knowledge> knowledge;
   std::shared_ptr<const Profile> profile;
+  std::shared_ptr<const Household> household{};  // where things usually are, for the expert; nullptr: it does not know
 };
 /// In the order of kSimulators.
 using AllSimulatorData = std::array<SimulatorData, kSimulators.size()>;

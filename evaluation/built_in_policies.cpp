@@ -31,24 +31,14 @@ std::string said(const Command& command, const Environment& environment) {
   return nlohmann::ordered_json{{"action", command.action}, {"args", std::move(args)}}.dump();
 }
 
-/// The expert's demonstration in the mode, made anew; no command when there is none.
-std::vector<Command> expert_commands(const Environment& environment) {
-  const EnvironmentTask& task = *environment.task();
-  const Mode mode = environment.settings().rules.mode;
+/// The expert's demonstration in the mode, made anew as those of data sets are, or why there is none.
+std::variant<Demonstration, Rejection> demonstrated_anew(const EnvironmentTask& task, Mode mode) {
   auto executions = ExecutionTree::of(task.goal, task.start, *task.data.knowledge, *task.data.profile, task.known);
-  if (!executions) return {};
+  if (!executions) return Rejection{RejectionReason::NoPlan, format(executions.error())};
   auto shown = demonstrate(*executions, ExpertOptions());
-  if (mode != Mode::M1) {
-    if (const auto* plan = std::get_if<Demonstration>(&shown)) {
-      auto in_mode = demonstrate_in(mode, *executions, *plan);
-      shown = std::move(in_mode);
-    }
-  }
-  std::vector<Command> commands;
-  if (const auto* plan = std::get_if<Demonstration>(&shown)) {
-    for (const DemonstrationStep& step : plan->steps) commands.push_back(step.command);
-  }
-  return commands;
+  const auto* in_m1 = std::get_if<Demonstration>(&shown);
+  if (mode == Mode::M1 || in_m1 == nullptr) return shown;
+  return demonstrate_in(mode, *executions, *in_m1, task.data.household.get());
 }
 
 /// Does a list of commands, then says stop.
@@ -61,10 +51,7 @@ class ScriptPolicy : public Policy {
     commands_.clear();
     next_ = 0;
     if (policy_.kind == BuiltInPolicy::Kind::Stop) return std::nullopt;
-    if (policy_.kind == BuiltInPolicy::Kind::Expert) {
-      commands_ = expert_commands(start);
-      return std::nullopt;
-    }
+    if (policy_.kind == BuiltInPolicy::Kind::Expert) return plan_anew(*start.task(), episode.key.mode);
     const auto shown = tasks_.demonstration(episode.position, episode.key.mode);
     if (!shown) return NoReply{EpisodeErrorKind::Policy, format(shown.error())};
     Rng rng = episode_rng(seed_, episode.key);
@@ -81,6 +68,15 @@ class ScriptPolicy : public Policy {
   }
 
  private:
+  std::optional<NoReply> plan_anew(const EnvironmentTask& task, Mode mode) {
+    const auto shown = demonstrated_anew(task, mode);
+    if (const auto* why = std::get_if<Rejection>(&shown))
+      return NoReply{EpisodeErrorKind::Policy,
+                     "the expert has no plan: " + std::string(name_of(why->reason)) + ": " + why->detail};
+    for (const DemonstrationStep& step : std::get<Demonstration>(shown).steps) commands_.push_back(step.command);
+    return std::nullopt;
+  }
+
   BuiltInPolicy policy_;
   TaskSource tasks_;
   std::uint64_t seed_;

@@ -58,8 +58,9 @@ Result<EvaluationReport> evaluate(const EpisodePlan& plan, const TaskSource& tas
                                   const EvaluationOptions& options);
 
 /// Writes episodes.jsonl and timing.jsonl in the order of the plan, from the log, and manifest.json. Equal episodes
-/// give equal bytes of episodes.jsonl. Errors: Io.
+/// give equal bytes of episodes.jsonl. `report_pictures`: as in the manifest. Errors: Io.
 Result<EvaluationManifest> write_evaluation(const std::filesystem::path& folder, const EvaluationSetup& setup,
-                                            const EpisodePlan& plan, const EpisodeLog& log);
+                                            const EpisodePlan& plan, const EpisodeLog& log,
+                                            int report_pictures = kReportPictures);
 
 }  // namespace unietp

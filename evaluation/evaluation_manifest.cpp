@@ -225,6 +225,7 @@ std::string to_text(const EvaluationManifest& manifest) {
               {"prompt_tokens", totals.prompt_tokens},
               {"completion_tokens", totals.completion_tokens},
               {"cost", totals.cost}}},
+            {"report_pictures", manifest.report_pictures},
             {"files", Json::array()}};
   for (const auto& [path, digest] : manifest.files) json["files"].push_back({{"path", path}, {"sha256", digest}});
   return json.dump(2) + "\n";
@@ -240,6 +241,7 @@ Result<EvaluationManifest> read_evaluation_manifest(std::string_view where, std:
   read_format(reader, fields, "unietp-evaluation/1");
   if (const auto f = fields.required("setup")) manifest.setup = read_setup(reader, *f);
   if (const auto f = fields.required("totals")) manifest.totals = read_totals(reader, *f);
+  if (const auto f = fields.optional("report_pictures")) manifest.report_pictures = read_whole(reader, *f);
   if (const auto f = fields.required("files")) {
     const std::size_t count = reader.items(*f);
     for (std::size_t i = 0; i < count && !reader.error(); ++i) {

@@ -89,11 +89,15 @@ struct EvaluationTotals {
   bool operator==(const EvaluationTotals&) const = default;
 };
 
+/// Episodes that a report has pictures of unless another number is asked for.
+inline constexpr int kReportPictures = 40;
+
 /// manifest.json in the folder of an evaluation.
 struct EvaluationManifest {
   EvaluationSetup setup;
   EvaluationTotals totals;
   std::map<std::string, std::string> files;  // SHA-256 by name; without those that this run has not written yet
+  int report_pictures = kReportPictures;     // most episodes that the report has pictures of
   bool operator==(const EvaluationManifest&) const = default;
 };
 

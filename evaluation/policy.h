@@ -65,7 +65,8 @@ struct BuiltInPolicy {
 Result<std::optional<BuiltInPolicy>> built_in_policy(const std::string& text);
 
 /// The policies of the program. They say what an agent could say, and need no time to think:
-///  - expert: plans from the goal and the start, as the demonstrations were made, and does so; `stop` without a plan;
+///  - expert: plans from the goal and the start, as the demonstrations were made, and does so; without a plan the
+///    episode is errored;
 ///  - replay: the stored demonstration of the mode;
 ///  - noisy:P: the same, but each of its actions is left out with probability P, by a draw of its own;
 ///  - random: actions that the mode offers, on things that it has been told of, and now and then `stop`;

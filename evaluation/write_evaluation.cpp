@@ -50,9 +50,9 @@ EvaluationTotals totals_of(const EpisodePlan& plan, const EpisodeLog& log) {
 }  // namespace
 
 Result<EvaluationManifest> write_evaluation(const std::filesystem::path& folder, const EvaluationSetup& setup,
-                                            const EpisodePlan& plan, const EpisodeLog& log) {
+                                            const EpisodePlan& plan, const EpisodeLog& log, int report_pictures) {
   if (auto done = write_lines(folder, plan, log); !done) return done.error();
-  EvaluationManifest manifest{setup, totals_of(plan, log), {}};
+  EvaluationManifest manifest{setup, totals_of(plan, log), {}, report_pictures};
   for (const char* name : {kEpisodesFile, kTimingFile}) {
     const auto digest = digest_of_file(folder, name);
     if (!digest) return digest.error();

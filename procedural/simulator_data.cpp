@@ -7,7 +7,8 @@ AllSimulatorData simulator_data(const std::shared_ptr<const Resources>& resource
   for (const Simulator simulator : kSimulators) {
     const Backend& backend = resources->backend(simulator);
     data[static_cast<std::size_t>(simulator)] = {std::shared_ptr<const Knowledge>(resources, &backend.knowledge),
-                                                 std::shared_ptr<const Profile>(resources, &backend.profile)};
+                                                 std::shared_ptr<const Profile>(resources, &backend.profile),
+                                                 resources->recipe(simulator).household};
   }
   return data;
 }

@@ -6,18 +6,6 @@
 #include "scores/normal.h"
 
 namespace unietp {
-namespace {
-
-/// The 97.5 % quantile of Student's t, by the Cornish-Fisher expansion (Abramowitz and Stegun 26.7.5): to 1e-3 from 4
-/// degrees of freedom on.
-double student_975(double freedom) {
-  const double z = kNormal975, z2 = z * z, f = freedom;
-  return z + z * (z2 + 1) / (4 * f) + z * ((5 * z2 + 16) * z2 + 3) / (96 * f * f) +
-         z * (((3 * z2 + 19) * z2 + 17) * z2 - 15) / (384 * f * f * f);
-}
-
-}  // namespace
-
 std::vector<double> bootstrap_means(std::span<const ClusterSum> clusters, Rng rng, int draws) {
   std::vector<double> means;
   if (clusters.empty()) return means;
@@ -42,25 +30,32 @@ double quantile_of(std::span<const double> sorted, double share) {
   return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
 }
 
-double expanded_tail(int clusters) {
-  const double n = clusters;
-  return normal_share_below(-std::sqrt(n / (n - 1)) * student_975(n - 1));
+double student_975(double freedom) {
+  // The Cornish-Fisher expansion (Abramowitz and Stegun 26.7.5).
+  const double z = kNormal975, z2 = z * z, f = freedom;
+  return z + z * (z2 + 1) / (4 * f) + z * ((5 * z2 + 16) * z2 + 3) / (96 * f * f) +
+         z * (((3 * z2 + 19) * z2 + 17) * z2 - 15) / (384 * f * f * f);
 }
 
 Interval bootstrap_interval(std::span<const ClusterSum> clusters, Rng rng, int draws) {
   std::vector<ClusterSum> used;
+  ClusterSum all;
   for (const ClusterSum& one : clusters) {
-    if (one.count > 0) used.push_back(one);
+    if (one.count <= 0) continue;
+    used.push_back(one);
+    all = {all.sum + one.sum, all.count + one.count};
   }
   if (used.size() < 2) return {};
-  const auto all_are = [&](bool good) {
-    return std::all_of(used.begin(), used.end(), [&](const ClusterSum& c) { return c.sum == (good ? c.count : 0); });
-  };
-  const int homes = static_cast<int>(used.size());
-  if (all_are(false) || all_are(true)) return wilson_interval(all_are(true) ? homes : 0, homes);
-  const auto means = bootstrap_means(used, rng, draws);
-  const double tail = expanded_tail(homes);
-  return {quantile_of(means, tail), quantile_of(means, 1 - tail)};
+  const auto homes = static_cast<double>(used.size());
+  const double mean = all.sum / all.count, quantile = student_975(homes - 1);
+  double trials = homes;
+  if (mean > 0 && mean < 1) {
+    double squares = 0;
+    for (const double drawn : bootstrap_means(used, rng, draws)) squares += (drawn - mean) * (drawn - mean);
+    const double variance = squares / draws * homes / (homes - 1);  // draws of n vary by (n - 1) / n of it
+    trials = std::min(all.count, variance > 0 ? mean * (1 - mean) / variance : all.count);
+  }
+  return wilson_interval(mean, trials, quantile);
 }
 
 }  // namespace unietp

@@ -22,14 +22,17 @@ std::vector<double> bootstrap_means(std::span<const ClusterSum> clusters, Rng rn
 /// default of numpy). `sorted` is not empty.
 double quantile_of(std::span<const double> sorted, double share);
 
-/// The share of draws below the lower end of a 95 % interval of `clusters` clusters: 2.5 %, made smaller for the sake
-/// of small samples by the factor sqrt(n / (n - 1)) and Student's t. Source: Hesterberg 2015, "What teachers should
-/// know about the bootstrap", The American Statistician 69, "expanded percentile".
-double expanded_tail(int clusters);
+/// The 97.5 % quantile of Student's t: to 1e-3 from 4 degrees of freedom on.
+double student_975(double freedom);
 
-/// The bootstrap interval of the mean of values in [0, 1], clustered: whole homes are drawn, since tasks of one home,
-/// and repeats of one task, resemble each other. [0, 1] for fewer than two clusters. Where all clusters have mean 0, or
-/// all have mean 1, nothing varies between draws; the interval is then Wilson's, each cluster one trial.
+/// The 95 % interval of the mean of values in [0, 1], clustered: whole homes are drawn, since tasks of one home, and
+/// repeats of one task, resemble each other. The variance of the draws says how many independent trials the values are
+/// worth, at most as many as there are; the interval is Wilson's of as many, with Student's t in the place of the
+/// normal quantile. Where all clusters have mean 0, or all have mean 1, nothing varies between draws and each cluster
+/// is one trial. [0, 1] for fewer than two clusters.
+/// Percentiles of the draws cover rare successes in few homes too seldom; docs/results.md says how often these do.
+/// Source: Dean and Pagano 2015, "Evaluating confidence interval methods for binomial proportions in
+/// clustered surveys", Journal of Survey Statistics and Methodology 3, "Wilson", with the variance of a bootstrap.
 Interval bootstrap_interval(std::span<const ClusterSum> clusters, Rng rng, int draws = 2000);
 
 }  // namespace unietp

@@ -108,10 +108,13 @@ ResultTable rank_table(std::span<const ScoredRun> runs, Mode mode, const std::ve
       alike += (alike.empty() ? "" : ", ") + labels[pair.first == run ? pair.second : pair.first];
     }
     ResultCell rate_cell = success_cell(figures_of(episodes, is_repeated(runs[run])));
+    rate_cell.filter = filter_text(run, {{"mode", name}});
     table.rows.push_back(
         {cell(place.best == place.worst ? std::to_string(place.best)
                                         : std::to_string(place.best) + "–" + std::to_string(place.worst)),
-         cell(labels[run]), std::move(rate_cell), cell(alike.empty() ? "–" : alike)});
+         {labels[run], "", filter_text(run, {}), false},
+         std::move(rate_cell),
+         cell(alike.empty() ? "–" : alike)});
   }
   return table;
 }

@@ -1,6 +1,7 @@
 #include "scores/evaluation_page.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <set>
 
@@ -23,16 +24,23 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string cell_html(const ResultCell& cell, bool head) {
+/// Where the episodes of a filter are: in this page, or in the report of their run.
+using LinkTo = std::function<std::string(const std::string& filter)>;
+
+std::string link_in_page(const std::string& filter) {
+  return "<a href=\"#episodes\" data-filter=\"" + escaped_html(filter) + "\">";
+}
+
+std::string cell_html(const ResultCell& cell, bool head, const LinkTo& link_to) {
   std::string text = escaped_html(cell.text);
-  if (!cell.filter.empty())
-    text = "<a href=\"#episodes\" data-filter=\"" + escaped_html(cell.filter) + "\">" + text + "</a>";
+  const std::string link = cell.filter.empty() ? "" : link_to(cell.filter);
+  if (!link.empty()) text = link + text + "</a>";
   if (cell.best) text = "<strong>" + text + "</strong>";
   if (!cell.aside.empty()) text += " <span class=\"aside\">" + escaped_html(cell.aside) + "</span>";
   return head ? "<th scope=\"row\">" + text + "</th>" : "<td class=\"number\">" + text + "</td>";
 }
 
-std::string html_of(const ResultTable& table) {
+std::string html_of(const ResultTable& table, const LinkTo& link_to) {
   std::string html = "<h3>" + escaped_html(table.title) + "</h3><p class=\"soft small\">" + escaped_html(table.note) +
                      "</p><div class=\"scroll card\" tabindex=\"0\" role=\"region\" aria-label=\"" +
                      escaped_html(table.title) + "\"><table id=\"table-" + escaped_html(table.id) + "\"><thead>";
@@ -52,7 +60,7 @@ std::string html_of(const ResultTable& table) {
   html += "</tr></thead><tbody>";
   for (const auto& row : table.rows) {
     html += "<tr>";
-    for (std::size_t i = 0; i < row.size(); ++i) html += cell_html(row[i], i == 0);
+    for (std::size_t i = 0; i < row.size(); ++i) html += cell_html(row[i], i == 0, link_to);
     html += "</tr>";
   }
   return html + "</tbody></table></div>";
@@ -148,6 +156,17 @@ Json listed(const EpisodeScore& score) {
             {"count", score.steps},       {"failures", score.failures},
             {"classes", score.classes}};
   if (score.shortest) json["shortest"] = *score.shortest;
+  const std::pair<const char*, bool> marks[] = {{"premature_stop", score.premature_stop},
+                                                {"missed_stop", score.missed_stop},
+                                                {"no_json", score.no_json > 0},
+                                                {"unknown_action", score.unknown_action > 0},
+                                                {"bad_argument", score.bad_argument > 0},
+                                                {"truncated", score.truncated > 0},
+                                                {"box", score.boxes > 0},
+                                                {"hit", score.hits > 0}};
+  for (const auto& [mark, has] : marks) {
+    if (has && !score.errored()) json["marks"].push_back(mark);
+  }
   return json;
 }
 
@@ -185,7 +204,7 @@ std::string evaluation_page(const ScoredRun& run) {
   std::string body = top_of(labels_of(runs).front(), conditions_of(runs), figures) +
                      nav({{"tables", "Tables"}, {"charts", "Charts"}, {"episodes", "Episodes"}}) +
                      "<main><section id=\"tables\"><h2>Tables</h2>";
-  for (const ResultTable& table : result_tables(runs)) body += html_of(table);
+  for (const ResultTable& table : result_tables(runs)) body += html_of(table, link_in_page);
   body += "</section><section id=\"charts\"><h2>Charts</h2><div class=\"figures\">" + charts + "</div></section>" +
           std::string(scores_asset("episodes.html")) + "</main>";
   data["episodes"] = Json::array();
@@ -196,17 +215,17 @@ std::string evaluation_page(const ScoredRun& run) {
   return to_html(std::move(page));
 }
 
-std::string leaderboard_page(std::span<const ScoredRun> runs) {
+std::string leaderboard_page(std::span<const ScoredRun> runs, std::span<const std::string> reports) {
+  const LinkTo link_to = [&](const std::string& filter) -> std::string {
+    const std::string& report = reports[run_of(filter)];
+    return report.empty() ? "" : "<a href=\"" + escaped_html(report + "#" + filter) + "\">";
+  };
+
   std::string body = top_of("Leaderboard", conditions_of(runs), {{"Runs", std::to_string(runs.size())}}) +
                      nav({{"ranks", "Ranks"}, {"tables", "Tables"}}) + "<main><section id=\"ranks\"><h2>Ranks</h2>";
-  for (ResultTable& table : comparison_tables(runs)) body += html_of(table);
+  for (const ResultTable& table : comparison_tables(runs)) body += html_of(table, link_to);
   body += "</section><section id=\"tables\"><h2>Tables</h2>";
-  for (ResultTable& table : result_tables(runs)) {
-    for (auto& row : table.rows) {
-      for (ResultCell& cell : row) cell.filter.clear();  // the episodes are in the reports of the runs
-    }
-    body += html_of(table);
-  }
+  for (const ResultTable& table : result_tables(runs)) body += html_of(table, link_to);
   body += "</section></main>";
   const Json data{{"charts", Json::array()}, {"examples", Json::array()}, {"episodes", Json::array()}};
   return to_html(page_with("Leaderboard", std::move(body), data));

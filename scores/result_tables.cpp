@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "core/text.h"
@@ -44,10 +45,10 @@ struct Shown {
 /// A column of success rates: its head and which episodes it counts.
 struct RateColumn {
   std::string head;
-  std::vector<std::pair<std::string, std::string>> filter;  // field, value
+  std::vector<Condition> filter;
 };
 
-bool keeps(const EpisodeScore& one, const std::pair<std::string, std::string>& condition) {
+bool keeps(const EpisodeScore& one, const Condition& condition) {
   const auto& [field, value] = condition;
   if (field == "mode") return name_of(one.key.mode) == value;
   if (field == "split") return one.split == value;
@@ -148,10 +149,11 @@ ResultTable steps_table(const Shown& shown, Mode mode) {
       const StepRange& range = ranges[i];
       const std::string steps = std::to_string(range.first) + "–" + std::to_string(range.last);
       if (table.rows.size() <= i) table.rows.push_back({{steps, "", "", false}});
-      const std::string filter =
-          filter_text(run, {{"mode", name}, {"steps", std::to_string(range.first) + "-" + std::to_string(range.last)}});
+      const Condition in_range{"steps", std::to_string(range.first) + "-" + std::to_string(range.last)};
+      const std::string filter = filter_text(run, {{"mode", name}, in_range});
+      const std::string succeeded = filter_text(run, {{"mode", name}, in_range, {"success", "true"}});
       table.rows[i].push_back({std::to_string(range.episodes), "", range.episodes > 0 ? filter : "", false});
-      table.rows[i].push_back({std::to_string(range.successes), "", "", false});
+      table.rows[i].push_back({std::to_string(range.successes), "", range.successes > 0 ? succeeded : "", false});
       table.rows[i].push_back({share_text(range.successes, range.episodes), "", "", false});
     }
   }
@@ -197,6 +199,16 @@ ResultTable failure_table(const Shown& shown) {
   return table;
 }
 
+/// What a table says of the episodes of a run in a mode.
+struct Said {
+  std::string text;
+  std::optional<std::vector<Condition>> of = {};  // beside the mode, which episodes it counts; none: no count of them
+};
+/// A share of episodes or of their actions: what it counts, and where to find it.
+Said share_said(int count, int all, std::vector<Condition> of) {
+  return {share_text(count, all), count > 0 ? std::optional(std::move(of)) : std::nullopt};
+}
+
 /// Rows of runs and modes.
 template <class Row>
 ResultTable table_by_mode(const Shown& shown, ResultTable table, const Row& cells_of) {
@@ -205,10 +217,14 @@ ResultTable table_by_mode(const Shown& shown, ResultTable table, const Row& cell
       const auto episodes = episodes_where(shown.runs[run], [&](const auto& one) { return one.key.mode == mode; });
       auto cells = cells_of(shown.runs[run], mode, episodes);
       if (cells.empty()) continue;
-      std::vector<ResultCell> row{
-          {shown.labels[run], "", "", false},
-          {std::string(name_of(mode)), "", filter_text(run, {{"mode", std::string(name_of(mode))}}), false}};
-      for (std::string& text : cells) row.push_back({std::move(text), "", "", false});
+      const auto filter = [&](std::vector<Condition> of) {
+        of.insert(of.begin(), {"mode", std::string(name_of(mode))});
+        return filter_text(run, of);
+      };
+      std::vector<ResultCell> row{{shown.labels[run], "", "", false},
+                                  {std::string(name_of(mode)), "", filter({}), false}};
+      for (Said& cell : cells)
+        row.push_back({std::move(cell.text), "", cell.of ? filter(std::move(*cell.of)) : "", false});
       table.rows.push_back(std::move(row));
     }
   }
@@ -228,22 +244,24 @@ ResultTable behaviour_table(const Shown& shown) {
       {}};
   return table_by_mode(shown, std::move(table), [](const ScoredRun& run, Mode, const Episodes& episodes) {
     const Figures f = figures_of(episodes, is_repeated(run));
-    const auto of_episodes = [&](int count) { return share_text(count, f.finished()); };
-    const auto of_actions = [&](int count) { return share_text(count, f.actions); };
-    return std::vector<std::string>{std::to_string(f.episodes),
-                                    of_episodes(f.successes),
-                                    of_episodes(f.stopped_successes),
-                                    fixed_text(100 * f.progress, 1),
-                                    fixed_text(f.steps, 1),
-                                    fixed_text(f.failures, 1),
-                                    f.with_plan == 0 ? "–" : fixed_text(f.efficiency, 2),
-                                    of_episodes(f.wrong_stops),
-                                    of_episodes(f.premature_stops),
-                                    of_episodes(f.missed_stops),
-                                    of_actions(f.no_json),
-                                    of_actions(f.unknown_action),
-                                    of_actions(f.bad_argument),
-                                    of_actions(f.truncated)};
+    const auto of_episodes = [&](int count, std::vector<Condition> of) {
+      return share_said(count, f.finished(), std::move(of));
+    };
+    const auto of_actions = [&](int count, const char* mark) { return share_said(count, f.actions, {{"mark", mark}}); };
+    return std::vector<Said>{{std::to_string(f.episodes), std::vector<Condition>()},
+                             of_episodes(f.successes, {{"success", "true"}}),
+                             of_episodes(f.stopped_successes, {{"success", "true"}, {"end", "stop"}}),
+                             {fixed_text(100 * f.progress, 1)},
+                             {fixed_text(f.steps, 1)},
+                             {fixed_text(f.failures, 1)},
+                             {f.with_plan == 0 ? "–" : fixed_text(f.efficiency, 2)},
+                             of_episodes(f.wrong_stops, {{"success", "false"}, {"end", "stop"}}),
+                             of_episodes(f.premature_stops, {{"mark", "premature_stop"}}),
+                             of_episodes(f.missed_stops, {{"mark", "missed_stop"}}),
+                             of_actions(f.no_json, "no_json"),
+                             of_actions(f.unknown_action, "unknown_action"),
+                             of_actions(f.bad_argument, "bad_argument"),
+                             of_actions(f.truncated, "truncated")};
   });
 }
 
@@ -259,9 +277,10 @@ ResultTable box_table(const Shown& shown) {
       {}};
   return table_by_mode(shown, std::move(table), [](const ScoredRun&, Mode, const Episodes& episodes) {
     const Figures f = figures_of(episodes, false);
-    if (f.boxes == 0) return std::vector<std::string>{};
-    return std::vector<std::string>{std::to_string(f.boxes), share_text(f.hits, f.boxes),
-                                    f.hits == 0 ? "–" : fixed_text(f.overlap, 2)};
+    if (f.boxes == 0) return std::vector<Said>{};
+    return std::vector<Said>{{std::to_string(f.boxes), std::vector<Condition>{{"mark", "box"}}},
+                             share_said(f.hits, f.boxes, {{"mark", "hit"}}),
+                             {f.hits == 0 ? "–" : fixed_text(f.overlap, 2)}};
   });
 }
 
@@ -276,17 +295,17 @@ ResultTable cost_table(const Shown& shown) {
     const Figures f = figures_of(episodes, false);
     const auto latency = run.latency.find(mode);
     const bool timed = latency != run.latency.end();
-    if (f.prompt_tokens + f.completion_tokens == 0 && f.cost == 0 && !timed) return std::vector<std::string>{};
+    if (f.prompt_tokens + f.completion_tokens == 0 && f.cost == 0 && !timed) return std::vector<Said>{};
     const auto tokens = static_cast<double>(f.prompt_tokens + f.completion_tokens);
-    const auto seconds = [&](double value) { return timed ? fixed_text(value, 2) : std::string("–"); };
-    return std::vector<std::string>{std::to_string(f.prompt_tokens),
-                                    std::to_string(f.completion_tokens),
-                                    f.finished() == 0 ? "–" : fixed_text(tokens / f.finished(), 0),
-                                    fixed_text(f.cost, 4),
-                                    f.successes == 0 ? "–" : fixed_text(f.cost / f.successes, 4),
-                                    seconds(timed ? latency->second.mean : 0),
-                                    seconds(timed ? latency->second.median : 0),
-                                    seconds(timed ? latency->second.percentile_95 : 0)};
+    const auto seconds = [&](double value) { return Said{timed ? fixed_text(value, 2) : "–"}; };
+    return std::vector<Said>{{std::to_string(f.prompt_tokens)},
+                             {std::to_string(f.completion_tokens)},
+                             {f.finished() == 0 ? "–" : fixed_text(tokens / f.finished(), 0)},
+                             {fixed_text(f.cost, 4)},
+                             {f.successes == 0 ? "–" : fixed_text(f.cost / f.successes, 4)},
+                             seconds(timed ? latency->second.mean : 0),
+                             seconds(timed ? latency->second.median : 0),
+                             seconds(timed ? latency->second.percentile_95 : 0)};
   });
 }
 
@@ -300,11 +319,12 @@ ResultTable repeat_table(const Shown& shown) {
   for (std::size_t run = 0; run < shown.runs.size(); ++run) {
     if (!is_repeated(shown.runs[run])) continue;
     for (const Mode mode : modes_of(shown.runs[run])) {
+      const std::string filter = filter_text(run, {{"mode", std::string(name_of(mode))}});
       for (const PassFigures& one :
            pass_figures(episodes_where(shown.runs[run], [&](const auto& score) { return score.key.mode == mode; }))) {
         table.rows.push_back({{shown.labels[run] + " " + std::string(name_of(mode)), "", "", false},
                               {std::to_string(one.k), "", "", false},
-                              {std::to_string(one.tasks), "", "", false},
+                              {std::to_string(one.tasks), "", filter, false},
                               {fixed_text(100 * one.at, 1), "", "", false},
                               {fixed_text(100 * one.all, 1), "", "", false}});
       }

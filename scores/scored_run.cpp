@@ -209,7 +209,7 @@ Result<ScoredRun> score_run(const std::filesystem::path& folder, const ScoringDa
                             const ScoringCallbacks& watch) {
   auto run = run_without_scores(folder);
   if (!run) return run.error();
-  const auto outline = outline_of(folder, watch.pictured);
+  const auto outline = outline_of(folder, run->manifest.report_pictures);
   if (!outline) return outline.error();
   const Scorer scorer{run->manifest, data, *outline, watch.picture_width};
   auto file = LineFile::open(folder, kEpisodesFile, FileNames::WithFolder);

@@ -51,8 +51,7 @@ struct ScoringDifference {
 struct ScoringCallbacks {
   std::function<void(const ScoringDifference&)> differ;  // hears of each disagreement
   std::function<Result<Done>(std::string&& view)> view;  // takes each episode_view as JSON
-  int pictured = 0;       // episodes whose view has pictures, spread over modes, splits and results
-  int picture_width = 0;  // pixels
+  int picture_width = 0;  // pixels; 0: no view has pictures, not even of the episodes that the manifest allows
 };
 
 /// Executes the episodes of a folder again and scores them. `watch` is called in the order of the file; the scores are

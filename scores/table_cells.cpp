@@ -11,22 +11,6 @@ namespace {
 
 std::string whole_percent(double share) { return std::to_string(static_cast<int>(std::floor(share * 100 + 0.5))); }
 
-std::string encoded(const std::string& value) {
-  constexpr std::string_view kHex = "0123456789ABCDEF";
-  std::string text;
-  for (const char c : value) {
-    const bool plain =
-        (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
-    if (plain) {
-      text += c;
-    } else {
-      const auto byte = static_cast<unsigned char>(c);
-      text += {'%', kHex[byte >> 4], kHex[byte & 15]};
-    }
-  }
-  return text;
-}
-
 }  // namespace
 
 ResultCell success_cell(const Figures& figures) {
@@ -54,10 +38,27 @@ std::string fixed_text(double value, int decimals) {
   return text;
 }
 
-std::string filter_text(std::size_t run, const std::vector<std::pair<std::string, std::string>>& conditions) {
+std::string filter_text(std::size_t run, const std::vector<Condition>& conditions) {
   std::string text = "run=" + std::to_string(run);
-  for (const auto& [field, value] : conditions) text += "&" + field + "=" + encoded(value);
+  for (const auto& [field, value] : conditions) text += "&" + field + "=" + in_url(value);
   return text;
+}
+
+std::size_t run_of(const std::string& filter) { return std::stoul(filter.substr(std::string_view("run=").size())); }
+
+std::string in_url(const std::string& text) {
+  constexpr std::string_view kHex = "0123456789ABCDEF", kPlain = "-_./";
+  std::string encoded;
+  for (const char c : text) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    if (plain || kPlain.find(c) != std::string_view::npos) {
+      encoded += c;
+    } else {
+      const auto byte = static_cast<unsigned char>(c);
+      encoded += {'%', kHex[byte >> 4], kHex[byte & 15]};
+    }
+  }
+  return encoded;
 }
 
 void mark_best(ResultTable& table, std::size_t first) {

@@ -33,11 +33,10 @@ struct MadeResults {
 
 /// `page` takes the pages of the report while they are made.
 Result<MadeResults> make_results(const std::filesystem::path& folder, const ScoringData& data,
-                                 const ResultsOptions& options, const ReportPages::Take& page) {
+                                 const ReportPages::Take& page) {
   MadeResults made;
   ReportPages pages(page);
   ScoringCallbacks watch;
-  watch.pictured = options.pictured;
   watch.picture_width = kPictureWidth;
   watch.view = [&](std::string&& view) { return pages.add(view); };
   watch.differ = [&](const ScoringDifference& one) { made.disagreements.push_back(disagreement(folder, one)); };
@@ -112,14 +111,12 @@ void check_pages(const std::filesystem::path& folder, const std::set<std::string
 
 }  // namespace
 
-Result<ScoredRun> write_results(const std::filesystem::path& folder, const ScoringData& data,
-                                const ResultsOptions& options) {
+Result<ScoredRun> write_results(const std::filesystem::path& folder, const ScoringData& data) {
   std::error_code failed;
   std::filesystem::remove_all(folder / kReportFolder, failed);
   if (failed) return Error{Error::Kind::Io, (folder / kReportFolder).string(), {}, failed.message()};
-  auto made = make_results(folder, data, options, [&](const std::string& name, const std::string& page) {
-    return write_file(folder, name, page);
-  });
+  auto made = make_results(
+      folder, data, [&](const std::string& name, const std::string& page) { return write_file(folder, name, page); });
   if (!made) return made.error();
   if (!made->disagreements.empty()) return made->disagreements.front();
   for (const auto& [name, text] : made->files) {
@@ -128,8 +125,7 @@ Result<ScoredRun> write_results(const std::filesystem::path& folder, const Scori
   return std::move(made->run);
 }
 
-std::vector<Error> check_results(const std::filesystem::path& folder, const ScoringData& data,
-                                 const ResultsOptions& options) {
+std::vector<Error> check_results(const std::filesystem::path& folder, const ScoringData& data) {
   std::vector<Error> found, unlike;
   std::set<std::string> pages;
   const auto compare = [&](const std::string& name, const std::string& text) -> Result<Done> {
@@ -143,7 +139,7 @@ std::vector<Error> check_results(const std::filesystem::path& folder, const Scor
     }
     return Done{};
   };
-  const auto made = make_results(folder, data, options, compare);
+  const auto made = make_results(folder, data, compare);
   if (!made) return {made.error()};
   check_pages(folder, pages, unlike);
   for (const auto& [name, text] : made->files) (void)compare(name, text);

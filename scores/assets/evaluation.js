@@ -20,6 +20,8 @@ function keeps(episode) {
       if (episode.held_out !== (value === 'yes')) return false;
     } else if (field === 'class') {
       if (result(episode) !== value && !result(episode).startsWith(value + ': ')) return false;
+    } else if (field === 'mark') {
+      if (!(episode.marks || []).includes(value)) return false;
     } else if (field === 'task') {
       if (!`${episode.task} ${episode.template}`.includes(value)) return false;
     } else if (String(episode[field]) !== value) return false;
@@ -31,7 +33,10 @@ function listEpisodes() {
   listed = episodes.filter(keeps);
   $('#shown').textContent = `${listed.length} of ${episodes.length} episodes` +
     (filter.get('held_out') ? `, templates ${filter.get('held_out') === 'yes' ? 'unseen' : 'seen'}` : '') +
-    (filter.get('steps') ? `, ${filter.get('steps').replace('-', '–')} steps` : '');
+    (filter.get('steps') ? `, ${filter.get('steps').replace('-', '–')} steps` : '') +
+    (filter.get('success') ? `, ${filter.get('success') === 'true' ? 'succeeded' : 'not succeeded'}` : '') +
+    (filter.get('end') ? ', with stop' : '') +
+    (filter.get('mark') ? `, with ${filter.get('mark').replace(/_/g, ' ')}` : '');
   $('#list').replaceChildren(...listed.slice(0, most).map(episode => {
     const link = element('a', { href: '#viewer', text: episode.task + (episode.repeat > 1 ? ` #${episode.repeat}` : '') });
     const row = element('tr', { 'aria-selected': String(episode === shownEpisode) },
@@ -240,7 +245,9 @@ function initEpisodes() {
     else return;
     event.preventDefault();
   });
-  setFilter(new URLSearchParams());
+  const asked = location.hash.startsWith('#run=');  // by a leaderboard
+  setFilter(new URLSearchParams(asked ? location.hash.slice(1) : ''));
+  if (asked) $('#episodes').scrollIntoView();
 }
 
 // A bar of the chart of failures leads to its episodes.

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <cmath>
+#include <condition_variable>
 #include <csignal>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <thread>
 
@@ -89,22 +90,6 @@ TEST(Evaluate, TheStoredAndTheExpertsWaySucceedAndStoppingDoesNot) {
   EXPECT_THAT(json_lines(scratch.path() / "replay/episodes.jsonl"), ::testing::IsSupersetOf(alone));
 }
 
-TEST(Evaluate, NoiseSucceedsAsOftenAsTheClosedFormSays) {
-  // No step of a demonstration but `stop` can be left out, so one of n actions succeeds with (1 - P)^(n - 1).
-  const ScratchFolder scratch;
-  constexpr double kNoise = 0.1;
-  constexpr int kRepeats = 30;
-  const auto ended = evaluate({"--policy", "noisy:0.1", "--repeats", std::to_string(kRepeats)}, scratch.at("noisy"));
-  ASSERT_EQ(ended.code, 0) << ended.err;
-  double mean = 0, variance = 0;
-  for (const auto& shown : json_lines(data_set_in_all_modes() / "demonstrations" / "M1.jsonl")) {
-    const double chance = std::pow(1 - kNoise, static_cast<double>(shown["steps"].size()) - 1);
-    mean += kRepeats * chance;
-    variance += kRepeats * chance * (1 - chance);
-  }
-  EXPECT_NEAR(successes(scratch.at("noisy")), mean, 3.5 * std::sqrt(variance));
-}
-
 TEST(Evaluate, ABadServerChangesNothingThatIsRecorded) {
   const ScratchFolder scratch;
   ChatServer good(&calm);
@@ -155,6 +140,39 @@ TEST(Evaluate, ASlowServerIsAskedAgainAfterTheTimeForOneAttempt) {
   const auto episodes = episodes_in(scratch.at("once"));
   ASSERT_EQ(episodes.size(), 1U);
   EXPECT_EQ(episodes[0].end, EpisodeOutcome::Errored);
+}
+
+TEST(Evaluate, RetryAfterToOneEpisodeHoldsBackTheOtherToo) {
+  using Clock = std::chrono::steady_clock;
+  const ScratchFolder scratch;
+  std::mutex mutex;
+  std::condition_variable changed;
+  bool both_asked = false;
+  std::optional<Clock::time_point> refused;
+  std::vector<Clock::duration> waited;  // of the requests after the first of each episode
+  ChatServer server([&](const Received& request) {
+    std::unique_lock lock(mutex);
+    if (request.number == 0) {
+      changed.wait(lock, [&] { return both_asked; });
+      refused = Clock::now();
+      changed.notify_all();
+      return http("429 Too Many Requests", "{}", "Retry-After: 1\r\n");
+    }
+    if (request.number == 1) {
+      both_asked = true;
+      changed.notify_all();
+      changed.wait(lock, [&] { return refused.has_value(); });
+      lock.unlock();
+      std::this_thread::sleep_for(std::chrono::milliseconds(300));  // so that the other one knows before it goes on
+      return calm(request);
+    }
+    waited.push_back(Clock::now() - *refused);
+    return calm(request);
+  });
+  const auto ended = evaluate(with(model_at(server.url), "--at-once", "2"), scratch.at("run"));
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_GT(waited.size(), 2U);
+  EXPECT_THAT(waited, ::testing::Each(::testing::Ge(std::chrono::seconds(1))));
 }
 
 TEST(Evaluate, ATerminalIsToldProgressRateTimeLeftAndCost) {
@@ -361,6 +379,7 @@ TEST(Evaluate, ProgramsActAndTheirEndIsNoFailureOfTheTask) {
                          "        self.left -= 1\n"
                          "        return {'action': 'turn_left', 'args': []} if self.left >= 0 else 'stop'\n"
                          "class Broken:\n"
+                         "    def __init__(self): open('starts', 'a').write('x')\n"
                          "    def act(self, observation): raise SystemExit(3)\n"));
   const auto run = [&](const std::string& policy, const std::string& out) {
     RunningProgram program("/bin/sh",
@@ -382,6 +401,7 @@ TEST(Evaluate, ProgramsActAndTheirEndIsNoFailureOfTheTask) {
     EXPECT_EQ(episode.error->kind, EpisodeErrorKind::Policy);
     EXPECT_THAT(episode.error->message, HasSubstr("exit code 3"));
   }
+  EXPECT_EQ(*read_file(scratch.path() / "starts"), "xxxxxx") << "three times for each of two episodes";
   const auto nothing = run("randon", "none");
   EXPECT_EQ(nothing.code, 2);
   EXPECT_THAT(nothing.err, HasSubstr("there is no program \"randon\"; did you mean random?"));

@@ -1,4 +1,7 @@
 // The report of an evaluation in a browser, opened from the disk as people do.
+#include <map>
+#include <tuple>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -117,9 +120,84 @@ TEST_F(EvaluationReport, AndALeaderboardOfSeveralRunsRanksThem) {
       "[...document.querySelectorAll('#table-ranks-M1 tbody tr')].map(row => row.cells[1].textContent)");
   EXPECT_EQ(agents, nlohmann::json({"replay", "noisy:0.3"}));
   EXPECT_GT(browser.evaluate("document.querySelectorAll('#table-main tbody tr').length"), 1);
-  EXPECT_EQ(browser.evaluate("document.querySelectorAll('a[data-filter]').length"), 0) << "no episodes are here";
   EXPECT_THAT(browser.complaints, IsEmpty());
   EXPECT_THAT(browser.fetched, IsEmpty());
+
+  // A name leads to the run's report, a rate of the second run to its episodes there.
+  const auto href = [&](const std::string& selector) {
+    return browser.evaluate("document.querySelector('" + selector + "').href").get<std::string>();
+  };
+  EXPECT_THAT(href("#table-ranks-M1 tbody tr:first-child td:nth-child(2) a"), HasSubstr("/replay/report.html#run=1"));
+  const std::string rate = href("#table-m3 tbody tr:last-child td:nth-child(2) a");
+  EXPECT_THAT(rate, EndsWith("/replay/report.html#run=1&mode=M3&split=atomic"));
+  browser.visit(rate);
+  browser.until("!document.querySelector('#viewer').hidden");
+  const int atomic =
+      browser.evaluate("episodes.filter(e => e.mode === 'M3' && e.split === 'atomic').length").get<int>();
+  EXPECT_GT(atomic, 0);
+  EXPECT_LT(atomic, 2 * kCountInAllModes);
+  EXPECT_EQ(browser.evaluate("document.querySelectorAll('#list tr').length"), atomic);
+}
+
+TEST_F(EvaluationReport, LeadsFromEachCountToAsManyEpisodes) {
+  Browser browser(folder_.path());
+  browser.open(run() / "report.html");
+  browser.until("!document.querySelector('#viewer').hidden");
+  // Of each link in a table: the number that it shows, of what, and how many episodes it leads to.
+  const auto links =
+      browser.evaluate(R"js([...document.querySelectorAll('table[id^=table-] a[data-filter]')].map(link => {
+    link.click();
+    const table = link.closest('table'), column = link.parentElement.cellIndex;
+    return [table.id, table.tHead.rows[table.tHead.rows.length - 1].cells[column].textContent, link.textContent,
+            listed.length, listed.filter(e => e.success).length];
+  }))js");
+  std::map<std::string, int> seen;
+  for (const auto& [table, column, shown, episodes, successes] :
+       links.get<std::vector<std::tuple<std::string, std::string, std::string, int, int>>>()) {
+    SCOPED_TRACE(table + ", " + column + ": " + shown);
+    ++seen[table + " " + column];
+    EXPECT_GT(episodes, 0);
+    const bool counts = column == "Episodes" || column == "Successes" || table == "table-failures";
+    if (counts) {
+      EXPECT_EQ(std::stoi(shown), episodes);
+    }
+    if (column == "Successes") {
+      EXPECT_EQ(successes, episodes);
+    }
+    if (table == "table-behaviour" && column == "Success rate") {
+      EXPECT_NEAR(std::stod(shown), 100.0 * episodes / (5 * kCountInAllModes), 0.06);
+    }
+    if (table == "table-behaviour" && column == "Wrong") {
+      EXPECT_EQ(successes, 0);
+    }
+  }
+  for (const char* one : {"table-behaviour Episodes", "table-behaviour Success rate", "table-behaviour with stop",
+                          "table-behaviour Wrong", "table-boxes Boxes", "table-boxes Hit rate", "table-repeats Tasks",
+                          "table-steps-M1 Successes", "table-steps-M3 Episodes"})
+    EXPECT_GT(seen[one], 0) << one;
+  EXPECT_THAT(browser.complaints, IsEmpty());
+}
+
+TEST_F(EvaluationReport, HasPicturesOfAsManyEpisodesAsAreAskedFor) {
+  const auto pictured = [&] {
+    int count = 0;
+    for (const auto& entry : fs::directory_iterator(run() / "report")) {
+      const std::string page = *read_file(entry.path());
+      for (auto at = page.find("\"images\":[\""); at != std::string::npos; at = page.find("\"images\":[\"", at + 1))
+        ++count;
+    }
+    return count;
+  };
+  EXPECT_EQ(pictured(), 40);
+  for (const int wanted : {2, 44}) {
+    const Ended again = run_program({"evaluate", data_set_in_all_modes().string(), "--policy", "noisy:0.3", "--modes",
+                                     "M1,M3", "--repeats", "5", "--resume", "--report-pictures", std::to_string(wanted),
+                                     "--out", run().string()});
+    ASSERT_EQ(again.code, 0) << again.err;
+    EXPECT_EQ(pictured(), wanted);
+    const Ended checked = run_program({"validate", run().string(), "--dataset", data_set_in_all_modes().string()});
+    EXPECT_EQ(checked.code, 0) << checked.out;
+  }
 }
 
 /// The report stays light: its episodes are in pages beside it.

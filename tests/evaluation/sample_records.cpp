@@ -80,6 +80,7 @@ EvaluationManifest sample_manifest() {
   setup.price_in = 0.15;
   setup.price_out = 0.6;
   manifest.totals = {160, 158, 2, {"model-2026-01"}, 1'234'567, 8900, 0.19};
+  manifest.report_pictures = 12;
   manifest.files = {{kEpisodesFile, std::string(64, 'e')}, {kTimingFile, std::string(64, 'f')}};
   return manifest;
 }

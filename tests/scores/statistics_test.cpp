@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -63,6 +64,12 @@ TEST(PassRates, AreThoseOfScipysBinomials) {
   }
 }
 
+/// The share of draws below the lower end that makes percentiles fit for small samples (Hesterberg 2015, "What teachers
+/// should know about the bootstrap", The American Statistician 69).
+double expanded_tail(double clusters) {
+  return std::erfc(std::sqrt(clusters / (clusters - 1)) * student_975(clusters - 1) / std::sqrt(2.0)) / 2;
+}
+
 std::vector<ClusterSum> clusters_of(const Json& one) {
   std::vector<ClusterSum> clusters;
   for (std::size_t i = 0; i < one["sums"].size(); ++i) clusters.push_back({one["sums"][i], one["counts"][i]});
@@ -72,20 +79,36 @@ std::vector<ClusterSum> clusters_of(const Json& one) {
 TEST(Bootstrap, IsThatOfScipyUpToTheDraws) {
   for (const Json& one : reference()["bootstrap"]) {
     const auto clusters = clusters_of(one);
-    const Interval interval = bootstrap_interval(clusters, Rng(1), 20'000);
+    const auto means = bootstrap_means(clusters, Rng(1), 20'000);
     const double width = one["high"].get<double>() - one["low"].get<double>();
-    EXPECT_NEAR(interval.low, one["low"], 0.03 * width);
-    EXPECT_NEAR(interval.high, one["high"], 0.03 * width);
-    EXPECT_EQ(interval, bootstrap_interval(clusters, Rng(1), 20'000));
+    const double tail = expanded_tail(static_cast<double>(clusters.size()));
+    EXPECT_NEAR(quantile_of(means, tail), one["low"], 0.03 * width);
+    EXPECT_NEAR(quantile_of(means, 1 - tail), one["high"], 0.03 * width);
+    EXPECT_EQ(means, bootstrap_means(clusters, Rng(1), 20'000));
   }
   for (const Json& one : reference()["tail"])
     EXPECT_NEAR(expanded_tail(one["clusters"]), one["tail"], 2e-5) << one.dump();
 }
 
+TEST(Bootstrap, GivesWilsonsIntervalOfAsManyTrialsAsItsDrawsAreWorth) {
+  // Homes of one task each are independent trials: the interval is Wilson's, but for Student's t and the draws.
+  std::vector<ClusterSum> single(200, {0, 1});
+  for (std::size_t i = 0; i < 30; ++i) single[i].sum = 1;
+  const Interval independent = bootstrap_interval(single, Rng(1), 20'000), wilson = wilson_interval(30, 200);
+  EXPECT_NEAR(independent.low, wilson.low, 0.003);
+  EXPECT_NEAR(independent.high, wilson.high, 0.003);
+  // Four repeats that always agree are worth one.
+  auto repeated = single;
+  for (ClusterSum& one : repeated) one = {4 * one.sum, 4 * one.count};
+  const Interval same = bootstrap_interval(repeated, Rng(1), 20'000);
+  EXPECT_NEAR(same.low, independent.low, 0.003);
+  EXPECT_NEAR(same.high, independent.high, 0.003);
+}
+
 TEST(Bootstrap, StaysHonestWhereAllHomesAreAlike) {
   const std::vector<ClusterSum> solved(30, {4, 4}), failed(30, {0, 4});
-  EXPECT_EQ(bootstrap_interval(solved, Rng(1)), wilson_interval(30, 30));
-  EXPECT_EQ(bootstrap_interval(failed, Rng(1)), wilson_interval(0, 30));
+  EXPECT_EQ(bootstrap_interval(solved, Rng(1)), wilson_interval(1, 30, student_975(29)));
+  EXPECT_EQ(bootstrap_interval(failed, Rng(1)), wilson_interval(0, 30, student_975(29)));
   EXPECT_EQ(bootstrap_interval(std::vector<ClusterSum>{{1, 2}}, Rng(1)), (Interval{0, 1}));
 }
 
@@ -138,6 +161,30 @@ TEST(Bootstrap, CoversTheTruthIn93To97PercentOfSimulations) {
   EXPECT_LE(covered, 0.97 * kSimulations);
   EXPECT_LT(by_wilson, 0.85 * kSimulations);  // why homes are drawn, and not episodes
   RecordProperty("coverage", std::to_string(covered / double{kSimulations}));
+}
+
+TEST(Bootstrap, CoversRareSuccessesInFewHomesToo) {
+  Rng rng(31);
+  constexpr int kSimulations = 600;
+  int all = 0, cells = 0;
+  for (const int homes : {10, 20, 40}) {
+    for (const double mean : {0.02, 0.05, 0.1, 0.2, 0.3}) {
+      int covered = 0;
+      for (int i = 0; i < kSimulations; ++i) {
+        const auto clusters = simulated_homes(rng, homes, mean, std::min(0.25, mean), 4);
+        const Interval interval = bootstrap_interval(clusters, rng.fork("draws", i), 400);
+        covered += interval.low <= mean && mean <= interval.high ? 1 : 0;
+      }
+      const double coverage = covered / double{kSimulations};
+      EXPECT_GE(coverage, 0.92) << homes << " homes, mean " << mean;
+      EXPECT_LE(coverage, 0.99) << homes << " homes, mean " << mean;
+      RecordProperty("coverage-" + std::to_string(homes) + "-" + std::to_string(mean), std::to_string(coverage));
+      all += covered;
+      ++cells;
+    }
+  }
+  EXPECT_GE(all, 0.93 * cells * kSimulations);
+  EXPECT_LE(all, 0.97 * cells * kSimulations);
 }
 
 TEST(PairedTests, FindADifferenceBetweenAlikeRunsInAtMostOneOfTwenty) {
