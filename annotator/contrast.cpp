@@ -18,7 +18,7 @@ void described_in(const Formula& formula, std::vector<const Domain*>& found) {
   for (const Formula& child : formula.children) described_in(child, found);
 }
 
-/// The one thing of a goal that one colour, material or state describes.
+/// The one thing of a goal that one color, material or state describes.
 const Domain* described_thing(const Formula& goal) {
   std::vector<const Domain*> found;
   described_in(goal, found);

@@ -77,13 +77,13 @@ Household::Household(const Knowledge& knowledge, const CommonSense& sense, Start
     if (!category.movable || !sense.has_rule_on_name(category.display)) continue;
     const Thing name = thing_of(category);
     for (const Category& other : knowledge.categories())
-      if (other.movable && sense.may_mean(name, thing_of(other))) meant_[category.name].insert(other.name);
+      if (other.movable && sense.may_mean(name, thing_of(other))) covered_by_name_[category.name].insert(other.name);
   }
 }
 
 bool Household::may_mean(std::string_view name, const std::string& other) const {
-  const auto found = meant_.find(name);
-  return found != meant_.end() && found->second.contains(other);
+  const auto found = covered_by_name_.find(name);
+  return found != covered_by_name_.end() && found->second.contains(other);
 }
 
 const std::vector<Household::Place>& Household::places_of(std::string_view category) const {
