@@ -10,9 +10,9 @@ namespace {
 
 constexpr double kInPassing = 0.15;  // of the weight of a place that things only pass through
 
-constexpr double kUsualRoom = 0.25;  // least value of in_room() of a room where such things usually are
-constexpr double kTolerable = 0.03;  // weight of all tolerable places of a category together; the usual ones have 1
-constexpr double kUnspoken = 0.02;   // share of a state that nobody spoke of
+constexpr double kUsualRoom = 0.25;      // least value of in_room() of a room where such things usually are
+constexpr double kTolerable = 0.03;      // weight of all tolerable places of a category together; the usual ones have 1
+constexpr double kUnspokenScore = 0.02;  // share of a state that nobody spoke of
 
 /// Whether a rule says that nobody finds such a thing there before a task: food is in an oven only while it is cooked.
 bool is_never_found(const CommonSense& sense, const Thing& thing, const Role& place) {
@@ -157,7 +157,7 @@ std::vector<LikelyState> Household::states_of(std::string_view category, Predica
 
 double Household::share(std::string_view category, Predicate relation, std::string_view receptacle,
                         const State& state) const {
-  return states_.share(kind_of(category), role_at(relation, receptacle), state).value_or(kUnspoken);
+  return states_.share(kind_of(category), role_at(relation, receptacle), state).value_or(kUnspokenScore);
 }
 
 Result<Household> read_household(const std::filesystem::path& sense, const Knowledge& knowledge) {
