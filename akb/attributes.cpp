@@ -30,7 +30,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kAlike =
 
 }  // namespace
 
-bool told_apart(std::string_view one, std::string_view other) {
+bool distinguishable(std::string_view one, std::string_view other) {
   return one != other && std::none_of(kAlike.begin(), kAlike.end(), [&](const auto& pair) {
            return (pair.first == one && pair.second == other) || (pair.first == other && pair.second == one);
          });

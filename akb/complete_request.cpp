@@ -13,7 +13,7 @@ using OrderedJson = nlohmann::ordered_json;
 
 constexpr const char* kTask =
     "You fill gaps in tables of household objects for a simulator of home robots. Answer in plain English and in "
-    "metres "
+    "meters "
     "and kilograms, for a typical object of each category in an ordinary home. Answer with JSON: {\"categories\": "
     "[...]}, one entry for each category that you are asked about, with its name as it is given. Leave a list empty "
     "rather than guess.";

@@ -30,7 +30,7 @@ FactKind kind_of(const Alias& alias);
 struct CompletedFacts {
   struct Size {
     std::string category;
-    Vec3 size = Vec3::Zero();  // metres, as Category::size
+    Vec3 size = Vec3::Zero();  // meters, as Category::size
     Source source;
   };
   struct Mass {

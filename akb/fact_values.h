@@ -15,7 +15,7 @@ namespace unietp {
 std::optional<double> number_in(std::string_view text, double most);
 /// A whole number >= 1.
 std::optional<int> count_in(std::string_view text);
-/// `0.3 x 0.2 x 0.1`: width, depth, height in metres, each > 0 and <= limits::kCategory_m.
+/// `0.3 x 0.2 x 0.1`: width, depth, height in meters, each > 0 and <= limits::kCategory_m.
 std::optional<Vec3> size_in(const std::string& text);
 /// `true` or `false`.
 std::optional<bool> flag_in(std::string_view text);

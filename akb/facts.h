@@ -25,7 +25,7 @@ struct FactName {
   bool operator==(const FactName&) const = default;
 };
 
-/// display plural synset countable movable archetype size mass rooms colours materials
+/// display plural synset countable movable archetype size mass rooms colors materials
 const std::vector<std::string>& fact_properties();
 
 /// Errors: Usage with `where` "fact": an unknown word with the nearest one, nothing after the colon.

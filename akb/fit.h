@@ -6,7 +6,7 @@
 
 namespace unietp {
 
-/// The room that one object has at a receptacle, metres: a level rectangle and the free height over it.
+/// The room that one object has at a receptacle, meters: a level rectangle and the free height over it.
 struct Room3 {
   double width = 0, depth = 0;
   double clearance = 0;     // free height; large where nothing is above
@@ -18,7 +18,7 @@ struct Room3 {
 /// none. Conservative: a shape built with walls of up to 2 cm (1 cm for small things) has at least this much room.
 std::optional<Room3> room_of(const Category& receptacle, Predicate relation);
 
-/// True when an upright object, turned about z by a quarter turn at will, finds room with a centimetre to spare in each
+/// True when an upright object, turned about z by a quarter turn at will, finds room with a centimeter to spare in each
 /// direction. Out of an open hollow it may stick by its own height at most once.
 bool fits(const Vec3& object, const Room3& room);
 /// The same for an object of typical size and the room of a receptacle.

@@ -29,7 +29,7 @@ struct Facts {
   std::string synset;                                // BEHAVIOR's own: of WordNet or custom ("half__apple.n.01")
   double mass = 0;                                   // kilograms; 0 when no file has it
   bool weighed = false;                              // the mass is our own: that of the file is out of proportion
-  std::vector<std::pair<std::string, Vec3>> models;  // name and box: width, depth, height in metres
+  std::vector<std::pair<std::string, Vec3>> models;  // name and box: width, depth, height in meters
   std::set<std::string> properties;                  // of its synset
   std::set<std::string> links;                       // of any of its models: joint, togglebutton, fillable, ...
   std::set<std::string> substances;                  // that it applies or pours

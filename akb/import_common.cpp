@@ -17,7 +17,7 @@ namespace {
 constexpr double kSizeFactor = 1.4, kMassFactor = 3;
 constexpr double kThinnestModel_m = 0.001, kLongestModel_m = 20;  // of a model's box: a sheet of paper is flat upstream
 
-/// To millimetres, so that files stay short.
+/// To millimeters, so that files stay short.
 Vec3 millimetres(const Vec3& v) {
   return {std::round(v.x() * 1000) / 1000, std::round(v.y() * 1000) / 1000, std::round(v.z() * 1000) / 1000};
 }

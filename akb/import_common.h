@@ -22,7 +22,7 @@ struct RawCategory {
   std::string name;
   std::string display;  // empty: taken from the name
   bool movable = false;
-  std::optional<Vec3> extents;  // full extents, metres: width, depth, height where upstream is sure of them
+  std::optional<Vec3> extents;  // full extents, meters: width, depth, height where upstream is sure of them
   std::string extents_source;
   std::optional<double> mass;
   std::string mass_source;
@@ -83,7 +83,7 @@ class TableBuilder {
   /// A further name or phrase; curated ones of the same kind come first (see curated/aliases*.csv).
   void alias(Alias alias);
   /// Adds the aliases, then lays curated tables over, drops what does not fit (rule `footprint` gives capacities) and
-  /// normalises likelihoods. Errors: everything wrong in a curated file, the first one reported.
+  /// normalizes likelihoods. Errors: everything wrong in a curated file, the first one reported.
   Result<Tables> finish();
   /// To append to: `finish` reports them.
   std::vector<Error>& errors() { return errors_; }

@@ -35,7 +35,7 @@ std::vector<Override> read_overrides(const std::string& where, std::string_view 
 
 /// Lays overrides over the tables of the four simulators (in the order of kSimulators), row after row; what they set
 /// has `override_source(where)` as its source, confidence 1. Values:
-///   properties             a text; true or false; `0.3 x 0.2 x 0.1` metres; kilograms; words joined by `|`
+///   properties             a text; true or false; `0.3 x 0.2 x 0.1` meters; kilograms; words joined by `|`
 ///   an affordance          true or false; `pickupable` and `movable` go together
 ///   on:C, inside:C, ...    true, false or the likelihood; a new one gets the mean likelihood of the object's others
 ///                          (1 if it has none) and as many as fit

@@ -15,7 +15,7 @@ struct Licence {
   std::string prefix;  // a source begins with it
   std::string origin, licence;
 };
-/// Reads data/licences.csv (source, origin, licence). Errors appended: Io, Parse, Schema.
+/// Reads data/licences.csv (source, origin, license). Errors appended: Io, Parse, Schema.
 std::vector<Licence> read_licences(const std::filesystem::path& file, std::vector<Error>& errors);
 /// The longest prefix of a source, or nothing when no row allows it.
 std::optional<Licence> licence_of(const std::vector<Licence>& licences, std::string_view source);

@@ -34,7 +34,7 @@ struct Category {
   bool countable = true;  // false: "some bread", not "a bread"
   bool movable = false;
   Archetype archetype = Archetype::Box;
-  Vec3 size = Vec3::Zero();                     // typical full extents, metres: width x, depth y, height z
+  Vec3 size = Vec3::Zero();                     // typical full extents, meters: width x, depth y, height z
   double mass = 0;                              // kilograms
   std::vector<std::string> rooms;               // usual room types, most usual first
   std::vector<std::string> colours, materials;  // what instances come in
@@ -120,7 +120,7 @@ struct Alias {
 struct Asset {
   std::string name;          // the simulator's own: "Mug_1", "PRE_PRO_Mug_01", "mug-abcdef"
   std::string category;      // of this knowledge base
-  Vec3 size = Vec3::Zero();  // full extents, metres, in its own frame: width x, depth y, height z
+  Vec3 size = Vec3::Zero();  // full extents, meters, in its own frame: width x, depth y, height z
   Source source;
 };
 

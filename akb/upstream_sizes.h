@@ -17,7 +17,7 @@ Result<std::vector<Asset>> read_procthor_assets(const std::filesystem::path& ups
 
 /// Size and mass that one simulator's metadata gives for a thing of some name.
 struct UpstreamSize {
-  std::optional<Vec3> extents;  // full, any order of axes, metres
+  std::optional<Vec3> extents;  // full, any order of axes, meters
   std::optional<double> mass;   // kilograms
   std::string extents_source, mass_source;
 };

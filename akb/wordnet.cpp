@@ -16,7 +16,7 @@ std::optional<WordNet> WordNet::read(const std::filesystem::path& folder) {
     const auto end = std::min(text->find('\n', at), text->size());
     const auto line = std::string_view(*text).substr(at, end - at);
     at = end + 1;
-    if (line.empty() || line.front() == ' ') continue;    // the licence
+    if (line.empty() || line.front() == ' ') continue;    // the license
     const auto lemma = line.substr(0, line.find(" n "));  // "mug n 4 5 @ ..."
     if (lemma.size() == line.size()) continue;
     const auto count = line.substr(lemma.size() + 3);

@@ -53,7 +53,7 @@ Result<WordNetWords> WordNetWords::read(const std::filesystem::path& folder) {
   if (!data) return data.error();
   net.data_ = std::move(*data);
   for (const auto& line : split(*index, '\n')) {
-    if (line.empty() || line.front() == ' ') continue;  // the licence
+    if (line.empty() || line.front() == ' ') continue;  // the license
     const auto words = words_of_line(line);
     const auto count = words.size() > 2 ? number_of<std::size_t>(words[2]) : std::nullopt;
     if (!count || words.size() < *count) continue;

@@ -56,7 +56,7 @@ bool is_done_in_place(Predicate predicate) {
 }
 
 /// "Cook the leek next to the knife" is clear, too; "soak the rag in the kitchen" says where to soak it.
-bool is_told_apart(const Clause& clause) {
+bool is_located_by_neighbor(const Clause& clause) {
   const auto& modifiers = clause.subjects[0].modifiers;
   return clause.subjects.size() == 1 && !modifiers.empty() && modifiers.back().predicate == Predicate::NextTo;
 }
@@ -421,7 +421,7 @@ std::optional<std::string> ClauseWriter::filled(const std::string& pattern, cons
   const bool switches = naming_.everyday() && (state == P::PowerOn || state == P::PowerOff);
   const bool bare =
       (pattern.ends_with(" {s}") || switches || pattern.ends_with(" {s} with {m}")) &&
-      (is_done_in_place(clause.complements[0].predicate) || (naming_.everyday() && is_told_apart(clause)));
+      (is_done_in_place(clause.complements[0].predicate) || (naming_.everyday() && is_located_by_neighbor(clause)));
   const bool moved = pattern.find("{o}") != std::string::npos;
   const bool sought = pattern.starts_with("grab ") || pattern.starts_with("bring ");
   auto subjects = subjects_of(clause, {.bare = bare, .sought = sought, .moved = moved});

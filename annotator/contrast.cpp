@@ -25,7 +25,7 @@ bool changes_state(const Formula& formula, const std::string& variable) {
                      [&](const Formula& child) { return changes_state(child, variable); });
 }
 
-/// The one thing of a goal that one colour, material or state describes, where it is asked to be somewhere.
+/// The one thing of a goal that one color, material or state describes, where it is asked to be somewhere.
 const Domain* described_thing(const Formula& goal) {
   std::vector<const Formula*> found;
   described_in(goal, found);

@@ -10,7 +10,7 @@ namespace unietp {
 /// The predicates, symbols, categories and operators of a goal that correspond to single words.
 struct GoalWords {
   std::set<Predicate> predicates;    // its states and relations, in the goal itself and in what is meant (`:where`)
-  std::set<std::string> symbols;     // colours, materials, substances
+  std::set<std::string> symbols;     // colors, materials, substances
   std::set<std::string> categories;  // also those of slices
   std::set<int> numbers;             // of counts above one
   bool every = false, none = false;  // `forall` of something, of nothing

@@ -131,8 +131,8 @@ Formula plainly_in_home(const Formula& goal, const HomeCounts& home) {
   return result;
 }
 
-std::vector<std::string> meant_alone(const Formula& goal, const HomeCounts& home) {
-  std::vector<std::string> meant;
+std::vector<std::string> unique_variables(const Formula& goal, const HomeCounts& home) {
+  std::vector<std::string> unique;
   for (const Formula* f = &goal; f->op == Op::Exists; f = &f->children[0]) {
     std::vector<Formula> asked;
     add_states(f->children[0], f->variable, asked);
@@ -140,10 +140,10 @@ std::vector<std::string> meant_alone(const Formula& goal, const HomeCounts& home
     Domain left = f->domain;
     left.where.push_back(negation(conjunction(std::move(asked))));
     left.where = {conjunction(std::move(left.where))};
-    if (home.members(left, f->variable).size() == 1) meant.push_back(f->variable);
+    if (home.members(left, f->variable).size() == 1) unique.push_back(f->variable);
   }
-  std::sort(meant.begin(), meant.end());
-  return meant;
+  std::sort(unique.begin(), unique.end());
+  return unique;
 }
 
 }  // namespace unietp

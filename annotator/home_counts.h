@@ -34,8 +34,8 @@ Formula as_in_home(const Formula& goal, const HomeCounts& home);
 /// asked of N of N things of all of them. Denials and what holds over time stay as they are. `goal` is `expanded`.
 Formula plainly_in_home(const Formula& goal, const HomeCounts& home);
 
-/// The variables of the goal's outermost `exists` that can mean one of several things only, as the others are already
-/// as they are wanted: "wash the mug" where one of three is dirty. Sorted. Empty for a home that is not known.
-std::vector<std::string> meant_alone(const Formula& goal, const HomeCounts& home);
+/// The variables of the goal's outermost `exists` that only one of several things can stand for, since the others
+/// already fulfill the goal: "wash the mug" where one of three is dirty. Sorted. Empty for a home that is not known.
+std::vector<std::string> unique_variables(const Formula& goal, const HomeCounts& home);
 
 }  // namespace unietp

@@ -38,7 +38,7 @@ bool relates_to_itself(const Formula& formula) {
 /// Which is not taken for so of a home that is not known.
 bool says_there_is_none(const Formula& fact) { return fact.op == Formula::Op::Forall; }
 
-bool can_be_meant(const Reading& reading, const Knowledge& knowledge, const Trace* start) {
+bool is_plausible(const Reading& reading, const Knowledge& knowledge, const Trace* start) {
   Specification asked;
   asked.simulator = knowledge.simulator();
   asked.goal = reading.goal;
@@ -55,7 +55,7 @@ bool facts_hold(const Reading& reading, const Trace* start) {
 }
 
 std::vector<Reading> readings_in_home(std::vector<Reading> readings, const Knowledge& knowledge, const Trace* start) {
-  std::erase_if(readings, [&](const Reading& reading) { return !can_be_meant(reading, knowledge, start); });
+  std::erase_if(readings, [&](const Reading& reading) { return !is_plausible(reading, knowledge, start); });
   return readings;
 }
 

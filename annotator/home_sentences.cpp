@@ -43,8 +43,8 @@ class SentenceWriter {
         continue;
       for (const auto& [relation, place] : facts_.relations(thing)) tell_place(thing, relation, place);
     }
-    sort_unique(told_);
-    return std::move(told_);
+    sort_unique(sentences_);
+    return std::move(sentences_);
   }
 
  private:
@@ -84,8 +84,8 @@ class SentenceWriter {
     if (!category->movable || known == nullptr || known->likelihood < kLikely) return;
     const std::string name = name_of(thing);
     if (alike(thing) != 1 || name.ends_with("door") || name.ends_with("drawer")) return;
-    told_.push_back("The " + name + " can stay where it is.");
-    told_.push_back("You can leave the " + name + " where it is.");
+    sentences_.push_back("The " + name + " can stay where it is.");
+    sentences_.push_back("You can leave the " + name + " where it is.");
   }
 
   const Trace& start_;
@@ -94,7 +94,7 @@ class SentenceWriter {
   std::vector<EntityIndex> places_;  // where the things are that are to be moved
   const Knowledge& knowledge_;
   const NounTable& nouns_;
-  std::vector<std::string> told_;
+  std::vector<std::string> sentences_;
 };
 
 }  // namespace
@@ -102,9 +102,9 @@ class SentenceWriter {
 std::vector<std::string> home_sentences(const Trace& start, const Formula& goal, const std::vector<std::string>& own,
                                         const Knowledge& knowledge, const NounTable& nouns, Rng rng) {
   if (start.states.empty()) return {};
-  auto told = SentenceWriter(start, goal, own, knowledge, nouns).sentences();
-  rng.shuffle(told);
-  return told;
+  auto sentences = SentenceWriter(start, goal, own, knowledge, nouns).sentences();
+  rng.shuffle(sentences);
+  return sentences;
 }
 
 }  // namespace unietp

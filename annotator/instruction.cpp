@@ -75,8 +75,8 @@ class TextChecker {
         goal_(expanded(specification.goal)),
         plain_goal_(expanded(plainly_in_home(goal_, counts_))),
         goal_here_(expanded(as_in_home(goal_, counts_))),
-        meant_(meant_alone(plain_goal_, counts_)),
-        meant_by_author_(meant_alone(specification.goal, counts_)),
+        unique_(unique_variables(plain_goal_, counts_)),
+        unique_for_author_(unique_variables(specification.goal, counts_)),
         opened_(opened_in(goal_, goal_)) {}
   TextChecker(const TextChecker&) = delete;
 
@@ -88,15 +88,15 @@ class TextChecker {
   const std::vector<std::string>& alone() const { return alone_; }
   const std::vector<std::string>& there() const { return there_; }
   /// Variables of the plain goal, and of the specification's, that can mean one thing only (home_counts.h).
-  const std::vector<std::string>& meant() const { return meant_; }
-  const std::vector<std::string>& meant_by_author() const { return meant_by_author_; }
+  const std::vector<std::string>& unique() const { return unique_; }
+  const std::vector<std::string>& unique_for_author() const { return unique_for_author_; }
   /// Categories in which something is to be, or that are to be opened or closed.
   const std::vector<std::string>& opened() const { return opened_; }
   const Trace& start() const { return start_; }
 
   bool reads_back(const std::string& text) const {
     const auto read = readings(text);
-    return read && !all_strained(*read) && all_meant(*read) && form_faults(text, specification_).empty();
+    return read && !all_strained(*read) && all_match_goal(*read) && form_faults(text, specification_).empty();
   }
 
   std::vector<std::string> faults(const std::string& text) const {
@@ -106,10 +106,10 @@ class TextChecker {
       found.push_back(format(read.error()));
     } else if (read->empty()) {
       found.emplace_back("nothing that the text can mean is possible in this home, or what it says of it is not so");
-    } else if (read->size() > 1 && !all_meant(*read)) {
+    } else if (read->size() > 1 && !all_match_goal(*read)) {
       found.push_back("the text can be read in " + std::to_string(read->size()) + " ways in this home, such as " +
                       to_text((*read)[0].goal) + " and " + to_text((*read)[1].goal));
-    } else if (!is_meant(read->front().goal)) {
+    } else if (!matches_goal(read->front().goal)) {
       found.push_back("the text asks for " + to_text(normal_form(read->front().goal)) + ", the goal is " +
                       to_text(normal_form(specification_.goal)));
     } else if (all_strained(*read)) {
@@ -136,7 +136,7 @@ class TextChecker {
   }
 
   /// In the style `condition` without the conditions that the start meets.
-  bool is_meant(const Formula& read) const {
+  bool matches_goal(const Formula& read) const {
     Formula all = expanded(read);
     if (specification_.style == Style::Condition) all = without_conditions(all, specification_.init);
     return same_expanded(all, goal_) ||
@@ -147,8 +147,8 @@ class TextChecker {
     return std::all_of(read.begin(), read.end(), [](const Reading& one) { return one.strained; });
   }
   /// Readings that are the same in this home are one.
-  bool all_meant(const std::vector<Reading>& read) const {
-    return std::all_of(read.begin(), read.end(), [&](const Reading& one) { return is_meant(one.goal); });
+  bool all_match_goal(const std::vector<Reading>& read) const {
+    return std::all_of(read.begin(), read.end(), [&](const Reading& one) { return matches_goal(one.goal); });
   }
 
   const Specification& specification_;
@@ -159,7 +159,7 @@ class TextChecker {
   Trace start_;  // empty when the home is not known
   HomeCounts counts_;
   Formula goal_, plain_goal_, goal_here_;
-  std::vector<std::string> meant_, meant_by_author_, opened_;
+  std::vector<std::string> unique_, unique_for_author_, opened_;
 };
 
 /// Americans turn lights and machines on, and have gray cats.
@@ -241,7 +241,7 @@ std::optional<std::string> worded(const Plan& plan, const NounTable& lexicon, St
                                   const TextChecker& judge, double pronouns, const Rng& rng) {
   constexpr std::uint64_t kWordings = 4;
   const Wording wording{
-      style, set == Phrasings::Everyday, judge.alone(), judge.there(), judge.opened(), judge.meant(), pronouns};
+      style, set == Phrasings::Everyday, judge.alone(), judge.there(), judge.opened(), judge.unique(), pronouns};
   for (std::uint64_t i = 0; i < kWordings; ++i) {
     auto text = realise(plan, lexicon, wording, rng.fork("words", i));
     if (!text || set == Phrasings::Everyday || set == Phrasings::All || phrasings_of(*text, lexicon) == set)
@@ -323,9 +323,10 @@ class Writer {
 
   /// "the red mug, not the blue one"
   bool with_contrast(std::string& text, Rng& rng) const {
-    auto told = options_.home == nullptr ? std::nullopt : contrasted(text, judge_.goal(), *options_.home, nouns_, rng);
-    if (told) text = std::move(*told);
-    return told.has_value();
+    auto contrast =
+        options_.home == nullptr ? std::nullopt : contrasted(text, judge_.goal(), *options_.home, nouns_, rng);
+    if (contrast) text = std::move(*contrast);
+    return contrast.has_value();
   }
 
   std::optional<Instruction> accepted(const std::string& written, Style style) const {
@@ -358,7 +359,7 @@ class Writer {
         const double pronouns = draw == 0 ? 1 : 0;
         auto text = authored_text(
             phrasings[i], specification_, nouns_,
-            {style, true, judge_.alone(), judge_.there(), judge_.opened(), judge_.meant_by_author(), pronouns},
+            {style, true, judge_.alone(), judge_.there(), judge_.opened(), judge_.unique_for_author(), pronouns},
             judge_.counts(), own);
         if (!text || !framed(*text, style, own)) break;
         if (style == Style::Ellipsis && !with_contrast(*text, own)) break;

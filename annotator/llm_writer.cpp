@@ -162,9 +162,9 @@ class Rounds {
         continue;
       }
       const Specification& specification = draft.task.specification;
-      const Formula meant =
+      const Formula expected =
           specification.style == Style::Condition ? without_conditions(expanded(*read), specification.init) : *read;
-      if (!equivalent(meant, specification.goal)) {
+      if (!equivalent(expected, specification.goal)) {
         refuse(draft, "\"" + draft.text + "\" was understood as " + to_text(*read));
         continue;
       }

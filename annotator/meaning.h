@@ -11,7 +11,7 @@ namespace unietp {
 Formula expanded(const Formula& formula);
 
 /// Whether two goals are equal after `expanded`, whatever their variables are called and in whatever order their parts
-/// and neighbouring quantifiers stand. True means equal on every trace; the converse is not claimed.
+/// and neighboring quantifiers stand. True means equal on every trace; the converse is not claimed.
 bool same_meaning(const Formula& left, const Formula& right);
 
 /// The same for goals that are `expanded` already.

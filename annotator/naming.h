@@ -26,7 +26,7 @@ struct Wording {
   std::span<const std::string> alone = {};   // categories and room types of which the home has one, sorted: "the sink"
   std::span<const std::string> there = {};   // those of which it has any, sorted; empty where the home is not known
   std::span<const std::string> opened = {};  // categories in which something is to be, or that are opened or closed
-  std::span<const std::string> meant = {};   // variables of which one thing only is left to be meant, sorted
+  std::span<const std::string> unique = {};  // variables that only one thing can stand for, sorted
   double pronouns = 1;                       // share of things that are "it" where that is clear
 };
 
@@ -80,8 +80,8 @@ class Naming {
   bool is_countable(const Domain& noun) const;
   /// Whether the home has one such object, so that "the fridge" means it.
   bool is_alone(const Domain& noun) const;
-  /// The same, and of several where one only is not yet as it is wanted: "the mug" to be washed.
-  bool is_meant_alone(const NounPhrase& phrase) const;
+  /// The same, or there are several and just one does not yet fulfill the goal: "the mug" to be washed.
+  bool is_unique(const NounPhrase& phrase) const;
   /// Whether it will be named by "the", or is named already.
   bool will_be_the(const NounPhrase& phrase) const;
   /// Whether people carry it about.

@@ -69,17 +69,16 @@ int Naming::mentions_of(const Domain& noun) const {
   return count;
 }
 
-bool Naming::is_meant_alone(const NounPhrase& said) const {
+bool Naming::is_unique(const NounPhrase& said) const {
   if (is_alone(said.noun)) return true;
   const bool other = std::any_of(named_.begin(), named_.end(), [&](const Named& one) {
     return one.noun == said.noun && one.variable != said.variable;
   });
-  return !other && std::binary_search(wording_.meant.begin(), wording_.meant.end(), said.variable);
+  return !other && std::binary_search(wording_.unique.begin(), wording_.unique.end(), said.variable);
 }
 
 bool Naming::will_be_the(const NounPhrase& said) const {
-  return said.determiner == Determiner::New &&
-         (was_named(said.variable) || !said.modifiers.empty() || is_meant_alone(said));
+  return said.determiner == Determiner::New && (was_named(said.variable) || !said.modifiers.empty() || is_unique(said));
 }
 
 /// "One of the bedrooms", where there are several: of rooms always, of what stands in them at times, and beside what
@@ -109,7 +108,7 @@ Words Naming::first_everyday(const NounPhrase& said, const Noun& noun, Place pla
   const std::string tail = description.tail(is_plural(noun));
   const bool described = !said.modifiers.empty() && !place.wanted;
   // Where something is named so already it is the same one.
-  const bool alone = is_meant_alone(said) && !place.wanted && !place.chosen;
+  const bool alone = is_unique(said) && !place.wanted && !place.chosen;
   // What describes something is told apart by it: "the mug on the desk", also where there is another desk.
   const bool describes = place.inside_description && !place.denied && said.modifiers.empty() &&
                          said.noun.kind == Domain::Kind::Categories && said.there < 2 &&
@@ -125,10 +124,10 @@ Words Naming::first_everyday(const NounPhrase& said, const Noun& noun, Place pla
   if (definite) return {"the " + description.before + noun.singular + tail, is_plural(noun)};
   const std::string one = description.before + (noun.countable ? noun.singular : "piece of " + noun.singular) + tail;
   // "The mug on one of the desks", of which there are several.
-  const bool told_by_one = place.inside_description && !place.denied && !place.near && said.there > 1 && !described &&
-                           noun.countable && !noun.function && !is_carried(said.noun);
+  const bool one_identifies = place.inside_description && !place.denied && !place.near && said.there > 1 &&
+                              !described && noun.countable && !noun.function && !is_carried(said.noun);
   // "All the pants that are on the beds": on any of them.
-  if (told_by_one) return {(place.of_every ? "the " : "one of the ") + noun.plural, place.of_every};
+  if (one_identifies) return {(place.of_every ? "the " : "one of the ") + noun.plural, place.of_every};
   if (place.beside_every) {
     const bool several = said.there > 1 && !described && noun.countable && !is_carried(said.noun);
     const bool room = !said.noun.members.empty() && lexicon_.is_room_type(said.noun.members[0].category);

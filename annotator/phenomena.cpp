@@ -11,9 +11,9 @@ namespace {
 
 /// Those whose marks are words of no other use. "It", "one" and "where" are in many plain texts, and what a sentence is
 /// an aside or a distractor to, its words do not tell.
-constexpr std::array kTold{Style::Function,      Style::Hypernym,      Style::Description, Style::Context,
-                           Style::Request,       Style::Exception,     Style::Compound,    Style::SubordinateClause,
-                           Style::InvertedOrder, Style::VagueQuantity, Style::Condition};
+constexpr std::array kMarked{Style::Function,      Style::Hypernym,      Style::Description, Style::Context,
+                             Style::Request,       Style::Exception,     Style::Compound,    Style::SubordinateClause,
+                             Style::InvertedOrder, Style::VagueQuantity, Style::Condition};
 
 bool is_about(const Domain& noun, const std::vector<std::string>& categories) {
   return std::any_of(noun.members.begin(), noun.members.end(), [&](const Domain::Member& member) {
@@ -70,10 +70,10 @@ std::vector<Style> phenomena_of(const std::string& text, Style style, const Form
   std::vector<Style> shown;
   for (std::size_t i = 0; i < kStyleCount; ++i) {
     const auto one = static_cast<Style>(i);
-    const bool told = std::find(kTold.begin(), kTold.end(), one) != kTold.end();
+    const bool marked = std::find(kMarked.begin(), kMarked.end(), one) != kMarked.end();
     const bool seen = one == Style::Negation ? denies(words)
                       : one == Style::Alias  ? has_alias(words, categories, lexicon)
-                      : !told                ? false
+                      : !marked              ? false
                       : names_by_phrase(one) ? has_phrase_of(words, one, categories, lexicon)
                                              : style_fault(text, one, goal, {}, lexicon).empty();
     if (one != Style::Direct && (one == style || seen)) shown.push_back(one);

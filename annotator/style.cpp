@@ -80,7 +80,7 @@ NounPhrase* described_phrase(Clause& clause) {
   return nullptr;
 }
 
-/// "There is a mug on the desk.", before the rest. What is only of some colour or state nobody would announce.
+/// "There is a mug on the desk.", before the rest. What is only of some color or state nobody would announce.
 bool begin_with_fact(Message& message) {
   const NounPhrase* described = nullptr;
   for (Requirement& requirement : message)

@@ -81,9 +81,9 @@ void TraceDraft::enforce_quantifier(const Formula& formula, std::size_t position
   }
   for (const EntityIndex member : all) {
     scope.emplace_back(formula.variable, member);
-    const bool meant = formula.domain.where.empty() || rng_.chance(0.6);
-    for (const Formula& where : formula.domain.where) enforce(where, 0, meant, scope);
-    if (meant) enforce(formula.children[0], position, body, scope);
+    const bool holds = formula.domain.where.empty() || rng_.chance(0.6);
+    for (const Formula& where : formula.domain.where) enforce(where, 0, holds, scope);
+    if (holds) enforce(formula.children[0], position, body, scope);
     scope.pop_back();
   }
 }

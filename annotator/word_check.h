@@ -15,7 +15,7 @@ namespace unietp {
 std::vector<std::string> form_faults(const std::string& text, const Specification& specification);
 
 /// Every category, symbol, number, state, relation, quantifier and order of the goal has a word in the text, and the
-/// text has no word for a category, colour, number, state, quantifier or order that the goal does not have, no denial
+/// text has no word for a category, color, number, state, quantifier or order that the goal does not have, no denial
 /// where nothing is denied, and no other word that neither the goal nor the style explains (plain_words.h). Where a
 /// name of the goal is missing, a word that differs by one letter is reported as a misspelling. It ignores syntax, so
 /// it cannot tell what is put on what; reading back checks that.

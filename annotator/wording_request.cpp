@@ -45,7 +45,7 @@ constexpr std::array kStyles = {
     StyleWords{Style::Coreference, "name a place by what is kept there ('where a plate is kept')"},
     StyleWords{Style::ImplicitNeed, "say what you would like ('I'd like a hot potato'), then where to put it"},
     StyleWords{Style::VagueQuantity, "say 'a couple of' for at least two, 'a few' for at least three"},
-    StyleWords{Style::Condition, "tie the task to a condition ('if …, …') that the facts below fulfil"},
+    StyleWords{Style::Condition, "tie the task to a condition ('if …, …') that the facts below fulfill"},
 };
 
 }  // namespace

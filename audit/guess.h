@@ -31,7 +31,8 @@ struct GuessOption {
   // Of other homes, for the same kind: the share of tasks, in which it was there, whose goal needs it; how often goals
   // of this template need it; how often demonstrations of this split and mode begin with it.
   float goal_share = 0, template_share = 0, first_share = 0;
-  float told_rank = 0, told_place = 0, text_rank = 0;  // what instructions of other homes suggest (audit/text_rank.h)
+  float expected_rank = 0, expected_place = 0,
+        text_rank = 0;  // what instructions of other homes suggest (audit/text_rank.h)
 
   float place = 0;                      // in its list: 0 the first, 1 the last
   float number = 0;                     // at the end of its id; 0: none
@@ -44,7 +45,7 @@ struct GuessOption {
   float odd_room = 0.5F;                // rank of its room's type
   float odd_asset = 0.5F;               // rank of having, or not having, a model of the simulator
   float alike = 1;                      // options of its kind with the same states
-  float distance = 0;                   // from where the agent starts, metres, as the crow flies
+  float distance = 0;                   // from where the agent starts, meters, as the crow flies
   float area = 0, low_edge = 0;         // of its box in the picture: pixels, and the row of its lower side
 };
 

@@ -50,8 +50,8 @@ float named_then_place(const Option& option, const ModelsOfPart&) {
   return (option.is_named ? 10.0F : 0.0F) + static_cast<float>(sign) * option.place;
 }
 float gap(float a, float b) { return a < b ? b - a : a - b; }
-float near_told(const Option& option, const ModelsOfPart&) {
-  return -gap(option.number_rank, option.told_rank) - gap(option.place, option.told_place);
+float near_expected(const Option& option, const ModelsOfPart&) {
+  return -gap(option.number_rank, option.expected_rank) - gap(option.place, option.expected_place);
 }
 float near_text(const Option& option, const ModelsOfPart&) { return -gap(option.number_rank, option.text_rank); }
 float by_list(const Option& option, const ModelsOfPart& models) { return models.small_things->value(option); }
@@ -106,7 +106,7 @@ const std::vector<ShortcutPolicy>& shortcut_policies() {
        signed_field<&Option::odd_support, 1>},
       {"unusual-model-of-kind", "what kind is meant, other homes", OfKind, &kLeakingAsset,
        signed_field<&Option::odd_asset, 1>},
-      {"nearest-instruction", "the instruction, solved tasks of other homes", OfKind, &kLeakingText, near_told},
+      {"nearest-instruction", "the instruction, solved tasks of other homes", OfKind, &kLeakingText, near_expected},
       {"text-classifier", "the instruction, solved tasks of other homes", OfKind, &kLeakingWhich, near_text},
       {"kind-classifier", "what kind is meant, solved tasks of other homes", OfKind, &kLeakingAllOfKind, by_kind},
       // The room of something small that the goal needs.

@@ -179,7 +179,7 @@ class Asker {
       : task_(task), made_(made), asked_(asked), options_(options_of(task.start, asked, made.words)) {
     const Trace trace = to_logic(task.start, {}, reads_comparisons(task.record.goal_tree));
     needs_ = goal_objects(task.record.goal_tree, trace);
-    for (const GoalObjects& objects : needs_) needed_.insert(objects.meant.begin(), objects.meant.end());
+    for (const GoalObjects& objects : needs_) needed_.insert(objects.referents.begin(), objects.referents.end());
   }
 
   void ask_all() {
@@ -231,7 +231,7 @@ class Asker {
     const auto chosen = [&](const std::vector<std::string>& list) {
       std::vector<std::string> ids;
       for (const auto& id : list) {
-        if (objects.meant.contains(id) || objects.alike.contains(id)) ids.push_back(id);
+        if (objects.referents.contains(id) || objects.alike.contains(id)) ids.push_back(id);
       }
       return ids;
     };
@@ -241,7 +241,7 @@ class Asker {
     GuessQuestion question{GuessChoice::OfKind, mode, {}, {}};
     for (const auto& id : furniture) {
       question.options.push_back(*option_of(id));
-      question.right.push_back(objects.meant.contains(id));
+      question.right.push_back(objects.referents.contains(id));
     }
     std::vector<std::uint64_t> kinds;
     for (GuessOption& option : question.options) kinds.push_back(std::exchange(option.kind, 0));

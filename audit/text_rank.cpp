@@ -13,8 +13,8 @@ constexpr std::size_t kTextWeights = 1U << 14;
 constexpr int kTextPasses = 8;
 constexpr float kTextRate = 0.05F;
 
-/// What an example's phrase means.
-struct Meant {
+/// A question of another task whose answer is known.
+struct Example {
   const AuditedTask* task = nullptr;
   std::vector<std::uint64_t> words;  // keys, sorted, without repeats
   std::vector<std::uint64_t> grams;  // keys of words and of pairs of neighbors
@@ -39,19 +39,19 @@ std::vector<std::uint64_t> keys_of_grams(const AuditedTask& task) {
 }
 
 /// nullopt-like: `task` is nullptr when the question is not of that choice.
-Meant meant_in(const AuditedTask& task, const GuessQuestion& question) {
+Example example_of(const AuditedTask& task, const GuessQuestion& question) {
   if (question.choice != GuessChoice::OfKind) return {};
-  Meant meant{&task, keys_of_words(task), keys_of_grams(task), 0, 0};
+  Example example{&task, keys_of_words(task), keys_of_grams(task), 0, 0};
   float right = 0;
   for (std::size_t i = 0; i < question.options.size(); ++i) {
     if (!question.right[i]) continue;
-    meant.rank += question.options[i].number_rank;
-    meant.place += question.options[i].place;
+    example.rank += question.options[i].number_rank;
+    example.place += question.options[i].place;
     ++right;
   }
-  meant.rank /= right;
-  meant.place /= right;
-  return meant;
+  example.rank /= right;
+  example.place /= right;
+  return example;
 }
 
 double likeness(const std::vector<std::uint64_t>& a, const std::vector<std::uint64_t>& b) {
@@ -77,10 +77,10 @@ float predict(const TextWeights& weights, const std::vector<std::uint64_t>& gram
 }
 
 /// Least squares by gradient steps over the examples of the other parts, in order.
-TextWeights learn(const std::vector<Meant>& examples, std::size_t part) {
+TextWeights learn(const std::vector<Example>& examples, std::size_t part) {
   TextWeights weights(kTextWeights, 0);
   for (int pass = 0; pass < kTextPasses; ++pass) {
-    for (const Meant& example : examples) {
+    for (const Example& example : examples) {
       if (part_of(*example.task) == part || example.grams.empty()) continue;
       const float miss = example.rank - predict(weights, example.grams);
       for (const std::uint64_t gram : example.grams)
@@ -95,10 +95,10 @@ TextWeights learn(const std::vector<Meant>& examples, std::size_t part) {
 std::size_t part_of(const AuditedTask& task) { return word_key(task.home, 1) % kHomeParts; }
 
 void learn_from_texts(std::vector<AuditedTask>& tasks, const std::vector<AuditedTask>& examples) {
-  std::vector<Meant> known;
+  std::vector<Example> known;
   for (const AuditedTask& task : examples) {
     for (const GuessQuestion& question : task.questions) {
-      if (auto meant = meant_in(task, question); meant.task != nullptr) known.push_back(std::move(meant));
+      if (auto example = example_of(task, question); example.task != nullptr) known.push_back(std::move(example));
     }
   }
   std::array<TextWeights, kHomeParts> models;
@@ -108,17 +108,17 @@ void learn_from_texts(std::vector<AuditedTask>& tasks, const std::vector<Audited
     const auto grams = keys_of_grams(task);
     for (GuessQuestion& question : task.questions) {
       if (question.choice != GuessChoice::OfKind) continue;
-      Meant nearest;
+      Example nearest;
       double best = -1;
-      for (const Meant& one : known) {
+      for (const Example& one : known) {
         if (one.task->home == task.home) continue;
         const double alike = likeness(words, one.words);
         if (alike > best) best = alike, nearest = one;
       }
       const float rank = predict(models[part_of(task)], grams);
       for (GuessOption& option : question.options) {
-        option.told_rank = nearest.rank;
-        option.told_place = nearest.place;
+        option.expected_rank = nearest.rank;
+        option.expected_place = nearest.place;
         option.text_rank = rank;
       }
     }

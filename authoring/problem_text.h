@@ -21,7 +21,7 @@ struct LintProblem {
 ///        |          ^
 ///
 /// Only the message when the position is not in `source`. A long line is cut around the position; unprintable bytes
-/// become dots. With `colour` the severity and the caret are coloured for a terminal.
+/// become dots. With `colour` the severity and the caret are colored for a terminal.
 std::string problem_text(const LintProblem& problem, std::string_view source, bool colour);
 
 /// Line `number` (from 1) of a text without its end; "" when there is none.

@@ -25,7 +25,7 @@ bool stands_for(const Parameter& parameter, const char* what) {
 
 /// A knowledge base whose categories are the placeholders.
 Knowledge of_placeholders(const Template& source) {
-  Category spare;  // its rooms, colours and materials
+  Category spare;  // its rooms, colors and materials
   spare.name = spare.display = "spare";
   spare.plural = "spares";
   spare.source = {"curated", 1};

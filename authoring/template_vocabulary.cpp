@@ -30,7 +30,7 @@ std::vector<VocabularyWord> used_words(const Table& table) {
 }
 
 template <class Table>
-std::vector<VocabularyWord> meant_words(const Table& table) {
+std::vector<VocabularyWord> words_with_meanings(const Table& table) {
   std::vector<VocabularyWord> words;
   for (const auto& row : table) words.push_back({std::string(row.word), std::string(row.word), std::string(row.says)});
   return words;
@@ -82,7 +82,7 @@ VocabularyGroup affordances() {
   group.groups.push_back({"kinds",
                           "Kinds of category",
                           "Used like affordances, but about the category itself.",
-                          meant_words(pseudo_affordance_meanings()),
+                          words_with_meanings(pseudo_affordance_meanings()),
                           {}});
   return group;
 }
@@ -209,7 +209,7 @@ std::vector<VocabularyGroup> template_vocabulary() {
   groups.push_back({"splits",
                     "Splits",
                     "The first three can be used in (split ...); the others are the splits of refined tasks.",
-                    meant_words(split_meanings()),
+                    words_with_meanings(split_meanings()),
                     {}});
   for (auto& group : {purposes(), refinements(), simulators(), affordances(), constraints(), starts(), operators(),
                       predicates(), slots(), actions()}) {

@@ -35,8 +35,8 @@ void add_usual(const Template& source, const Parameter& parameter, const Resourc
 std::vector<std::string> categories_with_usual_goals(const Resources& resources, Simulator simulator) {
   std::set<std::string> usual;
   for (const auto& source : resources.templates) {
-    const auto& meant = source.simulators;
-    if (std::find(meant.begin(), meant.end(), simulator) == meant.end()) continue;
+    const auto& supported = source.simulators;
+    if (std::find(supported.begin(), supported.end(), simulator) == supported.end()) continue;
     for (const auto& parameter : source.parameters) {
       if (is_value(parameter) || is_room(parameter) || !speaks_of(source.goal, parameter.name)) continue;
       add_usual(source, parameter, resources, simulator, usual);

@@ -28,7 +28,7 @@ void add_annotate_command(CommandParser& app, CommandLine& program) {
       "Instructions are written by a grammar (the default) or by a language model. Every text is checked, whoever "
       "wrote it. Where a model gives no correct text, the grammar's is used and the task's record says why. Texts that "
       "people wrote or corrected are kept. The data set is replaced in one step when everything is written; with --out "
-      "it is left alone.\n\n"
+      "it is left unchanged.\n\n"
       "See `unietp help models` for servers, keys and batch files. Exit code 1: some answers are missing; the data set "
       "is then as it was, unless --stand-in is given.",
       {{"unietp annotate out/mine --seed 5", "other wordings by the grammar"},
@@ -41,7 +41,7 @@ void add_annotate_command(CommandParser& app, CommandLine& program) {
        {"unietp annotate out/mine --writer batch --batch out/batch --llm-model M",
         "write request files; run it again when the service's answers are in out/batch"}});
   command->add_option("FOLDER", options->request.folder, "A finished data set")->required()->folder();
-  command->add_option("--out", options->request.out, "Write a new data set here and leave the old one alone")
+  command->add_option("--out", options->request.out, "Write a new data set here and do not change the old one")
       ->folder()
       ->output();
   command->add_option("--seed", options->request.seed, "Seed of the wording (default: that of the data set)");

@@ -51,8 +51,8 @@ Result<EvaluationSetup> setup_of(const EvaluateChoice& choice, const EvaluateReq
   if (!frozen) return frozen.error();
   setup.dataset = {one_name_of(choice.folder).filename().string(), frozen->name_of(*digest), *digest,
                    static_cast<int>(tasks.size())};
-  setup.agent =
-      request.model ? EvaluatedAgent{"model", request.model->endpoint.model} : EvaluatedAgent{"policy", choice.policy};
+  setup.agent = request.model ? EvaluatedAgent{AgentKind::Model, request.model->endpoint.model}
+                              : EvaluatedAgent{AgentKind::Policy, choice.policy};
   setup.selection = request.selection;
   setup.settings = request.settings;
   if (request.model) {

@@ -106,7 +106,7 @@ void add_knowledge_diff_command(CommandParser& knowledge, CommandLine& program) 
         "only facts that are added, removed or have a new value"}});
   command->add_option("OLD", options->old, "Folder of tables or compiled file")->required();
   command->add_option("NEW", options->now, "Folder of tables or compiled file")->required();
-  command->add_flag("--values", options->values, "Leave out facts of which only the source or confidence changed");
+  command->add_flag("--values", options->values, "Leave out facts where only the source or confidence changed");
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([options, &program] { program.exit = diff(*options); });
 }

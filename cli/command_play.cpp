@@ -113,7 +113,7 @@ void add_play_command(CommandParser& app, CommandLine& program) {
   command->add_option("--mode", options->choice.mode, "What you are told and how you name things")
       ->one_of({"M1", "M2", "M3"})
       ->shows_default();
-  command->add_option("--seed", options->seed, "Which tasks, in which order (default: 0)");
+  command->add_option("--seed", options->seed, "Seed for choosing and ordering tasks (default: 0)");
   add_procedural_options(*command, options->tasks);
   auto* port = command->add_option("--port", options->port, "Port of the page (default: one that is free)");
   port->within(0, 65'535);

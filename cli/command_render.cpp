@@ -168,7 +168,7 @@ void add_render_command(CommandParser& app, CommandLine& program) {
       "--camera behind follows the agent, --camera above shows the whole home; both show the agent. With --channel a "
       "PNG holds numbers instead of colors: depth in millimeters along the view direction (16 bits; 0: none, or over "
       "65 m); normals as red, green and blue of -1 to 1 to the right, down and ahead; instances as the number of the "
-      "object (16 bits; 0: walls, floor and ceiling), of which number, pixels and id are printed.",
+      "object (16 bits; 0: walls, floor and ceiling), whose number, pixels and id are printed.",
       {{"unietp render out/first ai2thor-00001 --out task.svg", ""},
        {"unietp render out/first ai2thor-00001 --out view.png --step 3 --boxes", ""},
        {"unietp render out/first ai2thor-00001 --out view.png --step 3 --mode M3", ""},

@@ -82,7 +82,7 @@ void add_scene_doctor_command(CommandParser& group, CommandLine& program) {
   command->explain(
       "A simulator's own file is imported as by `scene import`: what could not be taken over is listed with the "
       "reason, "
-      "and each repair with its distance. Then the home is checked as it is now: overlaps, what is sunk, floats or "
+      "and each repair with its distance. Then the repaired home is checked: overlaps, what is sunk, floats or "
       "does "
       "not stay, what is fixed or lies outside, doors that are blocked, and rooms and furniture that the agent does "
       "not "

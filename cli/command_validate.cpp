@@ -233,7 +233,7 @@ Exit validate(ValidateOptions& options, const CommandLine& program) {
 
 void add_validate_command(CommandParser& app, CommandLine& program) {
   auto options = std::make_shared<ValidateOptions>();  // shared: the callback outlives this function
-  auto* command = app.add_subcommand("validate", "Verify a data set from its files alone");
+  auto* command = app.add_subcommand("validate", "Verify a data set, given only its files");
   command->explain(
       "Rebuilds each start scene in fresh physics, replays every demonstration and compares each outcome, view and "
       "change, evaluates the goal, checks that altered plans fail, and reads each instruction back into its goal. Also "

@@ -24,30 +24,31 @@ constexpr const char* kTasks = "tasks";  // in the folder
 constexpr const char* kProgram = "program";
 
 /// What every program of python/adapters translates, and what does not change.
-constexpr std::array kTold{Predicate::Open,    Predicate::Closed,   Predicate::On,   Predicate::Inside,
-                           Predicate::OnFloor, Predicate::InRoom,   Predicate::Held, Predicate::SliceOf,
-                           Predicate::Colour,  Predicate::Material, Predicate::Size};
+constexpr std::array kTranslated{Predicate::Open,    Predicate::Closed,   Predicate::On,   Predicate::Inside,
+                                 Predicate::OnFloor, Predicate::InRoom,   Predicate::Held, Predicate::SliceOf,
+                                 Predicate::Colour,  Predicate::Material, Predicate::Size};
 /// What act_virtualhome.py tells besides.
-constexpr std::array kToldByVirtualhome{Predicate::PowerOn, Predicate::PowerOff, Predicate::Clean, Predicate::Dirty};
+constexpr std::array kTranslatedToVirtualhome{Predicate::PowerOn, Predicate::PowerOff, Predicate::Clean,
+                                              Predicate::Dirty};
 /// What act_behavior.py tells besides.
-constexpr std::array kToldByBehavior{Predicate::PowerOn, Predicate::PowerOff, Predicate::Clean,  Predicate::Dirty,
-                                     Predicate::Soaked,  Predicate::Dry,      Predicate::Hot,    Predicate::Cool,
-                                     Predicate::Cooked,  Predicate::Raw,      Predicate::Burnt,  Predicate::Frozen,
-                                     Predicate::Thawed,  Predicate::Filled,   Predicate::Empty,  Predicate::Covered,
-                                     Predicate::Folded,  Predicate::Unfolded, Predicate::Sliced, Predicate::Whole,
-                                     Predicate::Attached};
+constexpr std::array kTranslatedToBehavior{
+    Predicate::PowerOn, Predicate::PowerOff, Predicate::Clean,    Predicate::Dirty,  Predicate::Soaked,
+    Predicate::Dry,     Predicate::Hot,      Predicate::Cool,     Predicate::Cooked, Predicate::Raw,
+    Predicate::Burnt,   Predicate::Frozen,   Predicate::Thawed,   Predicate::Filled, Predicate::Empty,
+    Predicate::Covered, Predicate::Folded,   Predicate::Unfolded, Predicate::Sliced, Predicate::Whole,
+    Predicate::Attached};
 
 template <class List>
 bool has(const List& list, Predicate one) {
   return std::find(list.begin(), list.end(), one) != list.end();
 }
 
-bool is_told(const Formula& goal, const std::string& backend) {
+bool is_translated(const Formula& goal, const std::string& backend) {
   const auto asked = predicates_in(goal);
   return std::all_of(asked.begin(), asked.end(), [&](Predicate one) {
-    if (has(kTold, one)) return true;
+    if (has(kTranslated, one)) return true;
     if (backend == "ai2thor") return thor_state(one) != nullptr;
-    return backend == "behavior" ? has(kToldByBehavior, one) : has(kToldByVirtualhome, one);
+    return backend == "behavior" ? has(kTranslatedToBehavior, one) : has(kTranslatedToVirtualhome, one);
   });
 }
 
@@ -126,7 +127,7 @@ Result<BackendTasks> backend_tasks(const std::string& backend, const fs::path& d
     const auto task = tasks.task(planned.position);
     if (!task) return task.error();
     const bool expressed = fs::exists(*folder / kTasks / (id + ".json"));
-    if (expressed && is_told((*task)->goal, backend)) {
+    if (expressed && is_translated((*task)->goal, backend)) {
       kept.push_back(id);
     } else {
       ++left_out;

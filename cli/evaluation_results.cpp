@@ -68,7 +68,8 @@ Exit validate_evaluation(const std::filesystem::path& folder, const std::filesys
          {},
          "is " + in_quotes(manifest->setup.dataset.version) + ", but the data set is " + in_quotes(version)});
   const EvaluatedAgent& agent = manifest->setup.agent;
-  const bool demonstrated = agent.kind == "policy" && (agent.name == "replay" || agent.name.starts_with("noisy:"));
+  const bool demonstrated =
+      agent.kind == AgentKind::Policy && (agent.name == "replay" || agent.name.starts_with("noisy:"));
   const auto plan = plan_episodes(*reading.tasks.stored, manifest->setup.selection, demonstrated);
   if (!plan) return refuse(plan.error());
   if (const auto asked = static_cast<int>(plan->episodes.size()); asked != manifest->totals.episodes)

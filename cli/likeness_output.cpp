@@ -60,7 +60,7 @@ void print_likeness(const LikenessReport& report) {
     for (const auto& [name, share] : kQuantiles) std::printf(" %8.2f", measure.quantile(share));
     measure.fails_at ? std::printf(" %8.2f\n", *measure.fails_at) : std::printf(" %8s\n", "-");
   }
-  std::printf("%d instructions are also there, which alone is no leak\n", report.shared_texts);
+  std::printf("%d instructions are also there; on its own that is no leak\n", report.shared_texts);
   for (const auto& measure : report.measures) print_closest(measure);
   std::printf("\n");
 }

@@ -56,7 +56,7 @@ inline constexpr std::size_t kHomesInFile = 10'000;
 inline constexpr std::size_t kObjectsInFile = 500'000;  // of all its homes
 inline constexpr std::size_t kNamedRooms = 100;  // distinguished by the names that objects give; more are no rooms
 
-// Knowledge tables: what is larger is a slip of the unit (millimetres, grams).
+// Knowledge tables: what is larger is a slip of the unit (millimeters, grams).
 inline constexpr double kCategory_m = 100, kCategory_kg = 90'000;
 inline constexpr double kCompleted_m = 20, kCompleted_kg = 2000;  // as a language model may state it
 inline constexpr std::int64_t kReservedRows = 1 << 20;            // a damaged file must not ask for all memory

@@ -12,7 +12,7 @@ namespace unietp {
 /// Equal pixels give equal bytes with one version of libpng and zlib. Errors: Io when libpng refuses.
 Result<std::string> png(int width, int height, std::span<const std::uint8_t> rgb);
 
-/// The same in a fraction of the bytes: colours are rounded to 32 levels a channel, and the 256 most frequent of them
+/// The same in a fraction of the bytes: colors are rounded to 32 levels a channel, and the 256 most frequent of them
 /// stand for all.
 Result<std::string> few_colours_png(int width, int height, std::span<const std::uint8_t> rgb);
 

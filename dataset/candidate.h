@@ -28,7 +28,7 @@ struct CandidateRecord {
   // of an accepted one
   WrittenTask task;
   std::string start_key;  // equal for equal (template, binding, start)
-  std::string text_key;   // equal for equal (layout, normalised instruction)
+  std::string text_key;   // equal for equal (layout, normalized instruction)
   std::string traits;     // text of its traits (balance.h)
   // of a rejected one
   RejectionEntry rejection;

@@ -58,7 +58,7 @@ Result<std::vector<SourceLicence>> sources_of(const RunConfiguration& configurat
   if (!text) return text.error();
   const auto csv = read_csv(table.string(), *text);
   if (!csv.errors.empty()) return csv.errors.front();
-  constexpr std::size_t kColumns = 3;  // source (a prefix), origin, licence
+  constexpr std::size_t kColumns = 3;  // source (a prefix), origin, license
   if (csv.header.size() != kColumns)
     return Error{Error::Kind::Schema, table.string(), {1, 1}, "expected the columns source,origin,licence"};
 

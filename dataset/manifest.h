@@ -59,7 +59,7 @@ std::string to_text(const Manifest& manifest);
 Result<std::map<std::string, FileEntry>> files_below(const std::filesystem::path& folder);
 
 /// The sources that the facts of the configuration's simulators name, sorted, with what the table says of each.
-/// Errors: Io, Parse; Schema when a metadata source has no row (a licence is never guessed).
+/// Errors: Io, Parse; Schema when a metadata source has no row (a license is never guessed).
 Result<std::vector<SourceLicence>> sources_of(const RunConfiguration& configuration, const Resources& resources,
                                               const std::filesystem::path& table);
 

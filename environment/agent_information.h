@@ -11,7 +11,7 @@
 
 namespace unietp {
 
-// What the environment tells an agent of its world, made from the world and the settings alone.
+// What the environment tells an agent of its world, made only from the world and the settings.
 
 /// Whether the agent knows objects by ids at all.
 bool tells_ids(const ModeRules& rules);

@@ -117,7 +117,7 @@ std::string home_by_room(const Scene& start, const ModeRules& rules) {
 }
 
 /// Before each action: what became of the one before, what the camera shows.
-std::string told_before_each(const Settings& settings) {
+std::string shown_before_each_action(const Settings& settings) {
   const bool outcome = settings.feedback != Feedback::None;
   const bool view = settings.rules.picture || settings.rules.boxes;
   if (!outcome && !view) return "";
@@ -173,7 +173,7 @@ std::string naming_text(const Settings& settings, const Profile& profile) {
 std::string system_prompt(const Scene& start, const Settings& settings, const Profile& profile, bool reasoning) {
   const StepLimits& limits = settings.rules.limits;
   std::string text = "You are a robot in a home and carry out a task, one action at a time. ";
-  text += told_before_each(settings);
+  text += shown_before_each_action(settings);
   text += "When the task is done, answer with stop. You have at most " + std::to_string(limits.steps) +
           " actions, of which at most " + std::to_string(limits.failures) + " may fail.\n\n";
   text += "Answer with nothing but a JSON object: {";
@@ -215,8 +215,8 @@ std::string actions_text(const std::vector<std::string>& actions, bool only_last
 }
 
 std::string results_text(const std::vector<ActionReport>& results) {
-  const auto told = [](const ActionReport& one) { return one.success.has_value(); };
-  if (results.empty() || !told(results.front())) return "";
+  const auto has_outcome = [](const ActionReport& one) { return one.success.has_value(); };
+  if (results.empty() || !has_outcome(results.front())) return "";
   if (results.size() == 1) return outcome_text(*results.front().success, results.front().feedback);
   std::string text = "The last actions:";
   for (std::size_t i = 0; i < results.size(); ++i) {

@@ -55,9 +55,9 @@ std::string sentence(const std::vector<std::string>& things, const std::string& 
 
 }  // namespace
 
-std::string picture_text(const Scene& scene, const std::vector<VisibleObject>& told) {
+std::string picture_text(const Scene& scene, const std::vector<VisibleObject>& boxes) {
   Names names;
-  for (const VisibleObject& object : told) names.emplace(object.id, object.id);
+  for (const VisibleObject& object : boxes) names.emplace(object.id, object.id);
   std::vector<std::string> things;
   for (const auto& [id, facts] : facts_of(scene, names)) {
     if (!facts.empty()) things.push_back(id + " is " + join(facts, ", "));
@@ -69,9 +69,9 @@ std::string picture_text(const Environment& environment) {
   const Observation& seen = environment.observe();
   const Settings& settings = environment.settings();
   if (seen.boxes) {
-    std::vector<VisibleObject> told;
-    for (const ObservedObject& object : *seen.boxes) told.push_back({object.id, object.box});
-    return picture_text(environment.scene(), told);
+    std::vector<VisibleObject> boxes;
+    for (const ObservedObject& object : *seen.boxes) boxes.push_back({object.id, object.box});
+    return picture_text(environment.scene(), boxes);
   }
   std::map<std::string, PixelBox> boxes;
   for (const VisibleObject& object : environment.pictured()) boxes.emplace(object.id, object.box);

@@ -15,6 +15,6 @@ class Environment;
 /// category and box in the settings' form. One line; "" when there is nothing to tell. Deterministic.
 std::string picture_text(const Environment& environment);
 /// The same of objects that are told by id, in the scene that they are seen in.
-std::string picture_text(const Scene& scene, const std::vector<VisibleObject>& told);
+std::string picture_text(const Scene& scene, const std::vector<VisibleObject>& boxes);
 
 }  // namespace unietp

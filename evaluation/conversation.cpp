@@ -42,12 +42,12 @@ Result<std::vector<ChatTurn>> Conversation::turns(const Environment& environment
   if (!system_.empty()) turns.push_back({ChatTurn::Role::System, system_, {}});
   ChatTurn present = present_turn(environment);
   if (talk_->multi) {
-    told_.push_back(present.text);
+    user_turns_.push_back(present.text);
     const std::size_t all = past_.size();
     const std::size_t again = talk_->history < 0 ? all : std::min(all, static_cast<std::size_t>(talk_->history));
     const std::size_t first = all - again;
     for (std::size_t i = first; i < all; ++i) {
-      ChatTurn user{ChatTurn::Role::User, told_[i], {}};
+      ChatTurn user{ChatTurn::Role::User, user_turns_[i], {}};
       const std::size_t back = all - i;  // steps ago; the present picture is the last of pictures_
       if (back < pictures_.size()) user.pictures = {pictures_[pictures_.size() - 1 - back]};
       turns.push_back(std::move(user));

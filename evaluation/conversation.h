@@ -32,10 +32,10 @@ class Conversation {
   const PromptFile* prompt_;
   const TalkSettings* talk_;
   std::string system_;
-  std::string task_;                    // told again where the first turn is left out
-  std::vector<ToldStep> past_;          // the results of the last one come with the next observation
-  std::vector<std::string> told_;       // the user's turn of each step, in a chat of several turns
-  std::deque<SharedPicture> pictures_;  // the last ones, as many as are sent
+  std::string task_;                     // told again where the first turn is left out
+  std::vector<PastStep> past_;           // the results of the last one come with the next observation
+  std::vector<std::string> user_turns_;  // the user's turn of each step, in a chat of several turns
+  std::deque<SharedPicture> pictures_;   // the last ones, as many as are sent
 };
 
 /// The turns as text for people; a picture is `[picture, 12345 bytes]`.

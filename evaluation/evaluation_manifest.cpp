@@ -1,5 +1,7 @@
 #include "evaluation/evaluation_manifest.h"
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -14,6 +16,8 @@ namespace unietp {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr std::array<std::string_view, 2> kAgentKinds{"model", "policy"};  // by AgentKind
 
 Json selection_json(const EpisodeSelection& selection) {
   Json modes = Json::array();
@@ -54,7 +58,7 @@ Json setup_json(const EvaluationSetup& setup) {
               {"version", setup.dataset.version},
               {"digest", setup.dataset.digest},
               {"tasks", setup.dataset.tasks}}},
-            {"agent", {{"kind", setup.agent.kind}, {"name", setup.agent.name}}},
+            {"agent", {{"kind", name_of(setup.agent.kind)}, {"name", setup.agent.name}}},
             {"selection", selection_json(setup.selection)},
             {"settings", std::move(settings)}};
   if (setup.talk) json["talk"] = talk_json(*setup.talk);
@@ -158,9 +162,13 @@ EvaluationSetup read_setup(JsonReader& reader, const JsonAt& at) {
   if (const auto f = fields.required("dataset")) setup.dataset = read_dataset(reader, *f);
   if (const auto f = fields.required("agent")) {
     JsonFields own(reader, *f);
-    if (const auto kind = own.required("kind")) setup.agent.kind = reader.text(*kind);
+    if (const auto kind = own.required("kind")) {
+      const std::string text = reader.text(*kind);
+      const auto known = std::find(kAgentKinds.begin(), kAgentKinds.end(), text);
+      if (known == kAgentKinds.end()) reader.fail(*kind, "expected model or policy");
+      if (known != kAgentKinds.end()) setup.agent.kind = static_cast<AgentKind>(known - kAgentKinds.begin());
+    }
     if (const auto name = own.required("name")) setup.agent.name = reader.line(*name);
-    if (setup.agent.kind != "model" && setup.agent.kind != "policy") reader.fail(*f, "expected a model or a policy");
     own.finish();
   }
   if (const auto f = fields.required("selection")) setup.selection = read_selection(reader, *f);
@@ -212,6 +220,8 @@ void add_differences(const std::string& path, const Json& then, const Json& now,
 }
 
 }  // namespace
+
+std::string_view name_of(AgentKind kind) { return kAgentKinds[static_cast<std::size_t>(kind)]; }
 
 std::string to_text(const EvaluationManifest& manifest) {
   const EvaluationTotals& totals = manifest.totals;

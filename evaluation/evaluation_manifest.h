@@ -24,9 +24,14 @@ struct EvaluatedDataset {
   bool operator==(const EvaluatedDataset&) const = default;
 };
 
+/// A model that is asked in words, or a program or function that is given observations.
+enum class AgentKind { Model, Policy };
+/// As files name it: "model".
+std::string_view name_of(AgentKind kind);
+
 /// Who acted.
 struct EvaluatedAgent {
-  std::string kind;  // "model" or "policy"
+  AgentKind kind = AgentKind::Model;
   std::string name;  // of the model as the server is asked for it; the policy as given: "noisy:0.1"
   bool operator==(const EvaluatedAgent&) const = default;
 };

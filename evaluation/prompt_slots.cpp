@@ -42,8 +42,8 @@ std::string task_slot(const PromptContext& context) {
 }
 
 /// The steps that are told again.
-std::vector<const ToldStep*> told_again(const PromptContext& context) {
-  std::vector<const ToldStep*> steps;
+std::vector<const PastStep*> repeated_steps(const PromptContext& context) {
+  std::vector<const PastStep*> steps;
   const std::size_t all = context.past->size();
   const std::size_t most = context.talk->history < 0 ? all : static_cast<std::size_t>(context.talk->history);
   for (std::size_t i = all - std::min(all, most); i < all; ++i) steps.push_back(&(*context.past)[i]);
@@ -62,11 +62,11 @@ std::string own_words(const std::string& reply) {
 template <class LineOf>
 std::vector<std::string> history_lines(const PromptContext& context, const LineOf& line_of) {
   std::vector<std::string> lines;
-  for (const ToldStep* step : told_again(context)) {
-    const bool told = !step->results.empty() && step->results.front().success.has_value();
-    if (!told) lines.push_back(own_words(step->reply));
+  for (const PastStep* step : repeated_steps(context)) {
+    const bool has_outcomes = !step->results.empty() && step->results.front().success.has_value();
+    if (!has_outcomes) lines.push_back(own_words(step->reply));
     for (const ActionReport& one : step->results) {
-      if (told) lines.push_back(line_of(one));
+      if (has_outcomes) lines.push_back(line_of(one));
     }
   }
   return lines;
@@ -76,7 +76,7 @@ std::string history_slot(const PromptContext& context) {
   if (context.talk->multi) return "";
   const auto lines = history_lines(
       context, [](const ActionReport& one) { return history_text(one.action, *one.success, one.feedback); });
-  return actions_text(lines, told_again(context).size() < context.past->size());
+  return actions_text(lines, repeated_steps(context).size() < context.past->size());
 }
 
 std::string outcome_slot(const PromptContext& context) {
@@ -153,7 +153,7 @@ constexpr std::array kSlots{
     SlotRow{{"max_steps", "the most actions"}, &max_steps_slot},
     SlotRow{{"max_failures", "the most failed actions"}, &max_failures_slot},
     SlotRow{{"steps_left", "actions that are left"}, &steps_left_slot},
-    SlotRow{{"instruction", "the task, as it is"}, &instruction_slot},
+    SlotRow{{"instruction", "the instruction, unchanged"}, &instruction_slot},
     SlotRow{{"task", "`Task: …`; in a chat of several turns only at the first step"}, &task_slot},
     SlotRow{{"history", "the actions so far with what became of them; empty in a chat of several turns"},
             &history_slot},

@@ -11,7 +11,7 @@
 namespace unietp {
 
 /// A step of the episode so far, as the agent knows it.
-struct ToldStep {
+struct PastStep {
   std::string reply;                  // its own
   std::vector<ActionReport> results;  // of its actions, as far as the settings tell
 };
@@ -20,7 +20,7 @@ struct ToldStep {
 struct PromptContext {
   const Environment* environment = nullptr;
   const TalkSettings* talk = nullptr;
-  const std::vector<ToldStep>* past = nullptr;
+  const std::vector<PastStep>* past = nullptr;
   std::size_t pictures = 0;  // sent with this turn
 };
 

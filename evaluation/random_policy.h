@@ -5,7 +5,7 @@
 
 namespace unietp {
 
-/// The stream of draws of an episode, which depends on these alone.
+/// The stream of draws of an episode, which depends only on these.
 Rng episode_rng(std::uint64_t seed, const EpisodeKey& key);
 
 /// Acts at random, as an agent could that has read what it is told: each action that the mode and the simulator offer

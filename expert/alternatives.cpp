@@ -92,13 +92,13 @@ Choices::List Choices::either(List a, List b) const {
   return trimmed(std::move(a));
 }
 
-void Choices::leave_out_dearer(List& list, const List& than) const {
+void Choices::leave_out_costlier(List& list, const List& than) const {
   if (than.size() < beam_) return;
   std::erase_if(list, [&](const Alternative& alternative) { return alternative.cost >= than.back().cost; });
 }
 
 void Choices::add(List& to, List more) const {
-  leave_out_dearer(more, to);
+  leave_out_costlier(more, to);
   if (!more.empty()) to = either(std::move(to), std::move(more));
 }
 
@@ -151,7 +151,7 @@ void Choices::add_all_of(List& to, const std::vector<const List*>& lists, std::v
   for (const List* list : lists) {
     if (only_stands(*list)) continue;
     common = both(std::move(common), *list);
-    leave_out_dearer(common, to);
+    leave_out_costlier(common, to);
     if (common.empty()) return;
   }
   add(to, with_standing(common, lists, std::move(standing)));
@@ -171,7 +171,7 @@ Choices::List Choices::in_turn(const List& a, const List& b) const {
   return trimmed(std::move(list));
 }
 
-/// Which k of the members to take: the cheapest first, then neighbours of that choice.
+/// Which k of the members to take: the cheapest first, then neighbors of that choice.
 std::vector<std::vector<bool>> Choices::picks(std::size_t k, const std::vector<double>& price) const {
   std::vector<std::size_t> order(price.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

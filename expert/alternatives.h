@@ -42,7 +42,7 @@ class Choices {
 
  private:
   List trimmed(List list) const;
-  void leave_out_dearer(List& list, const List& than) const;
+  void leave_out_costlier(List& list, const List& than) const;
   List with_standing(const List& list, const std::vector<const List*>& others, std::vector<Literal> standing) const;
   void add_all_of(List& to, const std::vector<const List*>& lists, std::vector<Literal> standing) const;
   std::vector<std::vector<bool>> picks(std::size_t k, const std::vector<double>& price) const;

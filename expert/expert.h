@@ -13,9 +13,9 @@
 
 namespace unietp {
 
-/// Stage: from the goal formula alone: chooses witnesses, orders subgoals, expands them to actions, executes them in
-/// the backend, replans on failure, stops. Knows no template. Kept only if the goal holds on the executed trace by the
-/// direct evaluator. Deterministic.
+/// Stage: works only from the goal formula: chooses witnesses, orders subgoals, expands them to actions, executes them
+/// in the backend, replans on failure, stops. Knows no template. Kept only if the goal holds on the executed trace by
+/// the direct evaluator. Deterministic.
 std::variant<Demonstration, Rejection> demonstrate(ExecutionTree& executions, const ExpertOptions& options);
 /// The same from a start of which nothing is known yet. Rejected as `no-plan`, too, when the start cannot be built.
 std::variant<Demonstration, Rejection> demonstrate(const Formula& goal, const Scene& start, const Knowledge& knowledge,

@@ -25,7 +25,7 @@ constexpr std::array kLooks{ActionType::TurnLeft, ActionType::TurnRight, ActionT
 constexpr std::array kSteps{ActionType::MoveForward, ActionType::MoveBackward, ActionType::MoveLeft,
                             ActionType::MoveRight};
 
-/// Poses a centimetre or a degree apart are the same.
+/// Poses a centimeter or a degree apart are the same.
 Poses::Key key_of(const Agent& agent) {
   constexpr double kPlaces = 100, kAngles = 57.3;
   return {std::lround(agent.position.x() * kPlaces), std::lround(agent.position.y() * kPlaces),

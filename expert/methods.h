@@ -79,7 +79,7 @@ class Methods {
   bool is(const std::string& id, Predicate state) const;
   const Node* find(const std::string& id) const;
 
-  using ToolRank = std::tuple<bool, bool, double, std::string>;  // avoided, not in hand, metres away, id
+  using ToolRank = std::tuple<bool, bool, double, std::string>;  // avoided, not in hand, meters away, id
   using Tools = LeastFirst<std::string, ToolRank>;
   Tools nearest_of(const std::vector<const Effect*>& rules, const std::string& except) const;
 

@@ -8,7 +8,7 @@ namespace unietp {
 
 class Household;
 
-/// A rejection from the goal alone, before any work on a start: the mode does not offer an action that every way to
+/// A rejection based only on the goal, before any work on a start: the mode does not offer an action that every way to
 /// meet the goal needs, such as `read` in M3, where what is held cannot be named. nullopt does not promise that the
 /// mode can meet the goal. Reason `not-in-m2` or `not-in-m3`.
 std::optional<Rejection> ruled_out_in(Mode mode, const Formula& goal);

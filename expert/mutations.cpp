@@ -115,9 +115,9 @@ class Mutator {
       return std::find(referents.begin(), referents.end(), other) != referents.end();
     });
     for (const EntityIndex referent : referents) {
-      const std::string& meant = trace.entities[referent].id;
-      for (const EntityIndex other : nearest(meant, excluded, trace))
-        replace(meant, trace.entities[other].id, actions, surviving);
+      const std::string& intended = trace.entities[referent].id;
+      for (const EntityIndex other : nearest(intended, excluded, trace))
+        replace(intended, trace.entities[other].id, actions, surviving);
     }
   }
 

@@ -47,7 +47,7 @@ bool Methods::let_fall(const std::string& id, const std::string& room) {
   return from_elsewhere({ActionType::Drop, {}}, room, aim);
 }
 
-/// What can be put where the neighbour stands: on what carries it, into what it lies in, on furniture beside it, or let
+/// What can be put where the neighbor stands: on what carries it, into what it lies in, on furniture beside it, or let
 /// fall there.
 std::vector<Action> Methods::ways_beside(const std::string& neighbour) const {
   const World& world = attempt_.world();
@@ -67,7 +67,7 @@ std::vector<Action> Methods::ways_beside(const std::string& neighbour) const {
   return ways;
 }
 
-/// Where the neighbour is; or, where there is no room beside it, where there is room for both.
+/// Where the neighbor is; or, where there is no room beside it, where there is room for both.
 bool Methods::place_beside(const std::string& id, const std::string& neighbour) {
   if (attempt_.is_held(neighbour) && !put_aside(neighbour)) return false;
   if (!open_around(neighbour)) return false;
@@ -75,7 +75,7 @@ bool Methods::place_beside(const std::string& id, const std::string& neighbour) 
   return clears_ && find(neighbour)->movable && put_together(id, neighbour);
 }
 
-/// The neighbour first, to where the other comes to stand beside it.
+/// The neighbor first, to where the other comes to stand beside it.
 bool Methods::put_together(const std::string& id, const std::string& neighbour) {
   if (!hold(neighbour)) return false;
   const Postcondition aim{[&](const World& world) { return world.linked(id, Predicate::NextTo, neighbour); }, {}};

@@ -34,7 +34,7 @@ class PutDownOptions {
   struct Class {
     bool spoken_of, usual;
   };
-  using Rank = std::tuple<bool, double, std::string, ActionType>;  // out of reach, metres to walk, id
+  using Rank = std::tuple<bool, double, std::string, ActionType>;  // out of reach, meters to walk, id
   struct Spot {
     std::size_t place;  // of furniture among the nodes
     ActionType action;

@@ -22,7 +22,7 @@ constexpr double kLiesAbout = 0.1;   // times how usual it is that such a thing 
 constexpr double kLeast = 1e-9;
 constexpr double kBeside_m = 3;
 constexpr double kQuarter_deg = 90;  // from one view of a room to the next
-constexpr double kPerMetre = 0.05;   // steps that a metre of way counts for
+constexpr double kPerMetre = 0.05;   // steps that a meter of way counts for
 
 double left_after(const std::array<double, 6>& left, int looks) {
   return left[std::min<std::size_t>(static_cast<std::size_t>(looks), left.size() - 1)];

@@ -33,8 +33,8 @@ std::vector<Action> plan_for(const Formula& hasty, const Formula& asked, const E
   auto found = find_plan(branch, options);
   auto* plan = std::get_if<std::vector<Action>>(&found);
   if (plan == nullptr || plan->size() > static_cast<std::size_t>(options.max_steps)) return {};
-  ExecutionTree meant = branch.with_goal(executions.goal()), relaxed = branch.with_goal(asked);
-  if (reaches(meant, *plan) || !reaches(relaxed, *plan) || !needs_each_step(relaxed, *plan)) return {};
+  ExecutionTree constrained = branch.with_goal(executions.goal()), relaxed = branch.with_goal(asked);
+  if (reaches(constrained, *plan) || !reaches(relaxed, *plan) || !needs_each_step(relaxed, *plan)) return {};
   return std::move(*plan);
 }
 

@@ -21,10 +21,11 @@ struct ThorState {
   std::variant<bool, std::string_view> value;  // of the key; of `Filled`, which names a liquid, none
   std::string_view call = {};                  // "OpenObject"; "" when AI2-THOR has none
 };
-/// The row of a state, or nullptr when the metadata does not tell it.
+/// The row of a state, or nullptr when the metadata does not show it.
 const ThorState* thor_state(Predicate state);
 
-/// Whom a call names. Others: each object that the step changes but those two; a tap also cleans what is in its basin.
+/// The object that a call refers to. Others: each object that the step changes, except its argument and the held one;
+/// a tap also cleans what is in its basin.
 enum class ThorTarget { Nothing, Argument, Held, Pose, Others };
 /// When a step needs a call. Closed, Running: the target is so before the step. Closes: it is closed after it. Cleans,
 /// Fills: the step cleans, or fills, the target.

@@ -42,7 +42,7 @@ SftReasoning::SftReasoning(const FinishedTask& task, Mode mode, const Knowledge&
       facts_(reads_comparisons(task.record.goal_tree)),
       monitor_(task.record.goal_tree) {
   const GlobalInformation known = global_information(task.start, rules_of(mode));
-  for (const auto* ids : {&known.rooms, &known.furniture, &known.movables}) told_.insert(ids->begin(), ids->end());
+  for (const auto* ids : {&known.rooms, &known.furniture, &known.movables}) known_.insert(ids->begin(), ids->end());
 }
 
 std::string SftReasoning::before_step(std::size_t index, const Scene& before) {
@@ -62,7 +62,7 @@ std::string SftReasoning::sight(std::size_t index, const Scene& before) const {
   if (!target.empty() && find_room(before, target) == nullptr) {
     if (in_view(step, target)) return sentence(name(target, before)) + " is in view. ";
     const std::string place = name(target, before);
-    if (!sought.empty() && !told_.contains(sought) && !seen_.contains(sought))
+    if (!sought.empty() && !known_.contains(sought) && !seen_.contains(sought))
       return sentence(name(sought, before)) + " is not in view; I look at " + place + ". ";
     return sentence(place) + (seen_.contains(target) ? " is not in view now; I have seen it. " : " is not in view. ");
   }
@@ -97,7 +97,7 @@ std::string SftReasoning::kind(const std::string& id, const Scene& scene) const 
 std::string SftReasoning::name(const std::string& id, const Scene& scene) const {
   if (find_node(scene, id) == nullptr) return id;
   if (mode_ == Mode::M3) return "the " + kind(id, scene);
-  if (told_.contains(id) || seen_.contains(id)) return id;
+  if (known_.contains(id) || seen_.contains(id)) return id;
   const std::string words = kind(id, scene);
   return (starts_with_vowel_letter(words) ? "an " : "a ") + words;
 }

@@ -34,7 +34,7 @@ class SftReasoning {
   const DemonstrationRecord& shown_;
   const Mode mode_;
   const Knowledge& knowledge_;
-  std::set<std::string, std::less<>> told_, seen_;
+  std::set<std::string, std::less<>> known_, seen_;
   FactReader facts_;
   Monitor monitor_;
 };

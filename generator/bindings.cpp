@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kMostAsked = 4000;  // of wishes; nearly all bindings are found after a few dozen
 
-bool is_meant_for(const Template& source, Simulator simulator) {
+bool supports(const Template& source, Simulator simulator) {
   return std::find(source.simulators.begin(), source.simulators.end(), simulator) != source.simulators.end();
 }
 
@@ -122,14 +122,14 @@ class BindingSearch {
 
 std::vector<Binding> enumerate_bindings(const Template& source, const Knowledge& knowledge, std::size_t limit) {
   std::vector<Binding> found;
-  if (!is_meant_for(source, knowledge.simulator())) return found;
+  if (!supports(source, knowledge.simulator())) return found;
   BindingSearch(source, knowledge).enumerate(limit, found);
   return found;
 }
 
 std::optional<Binding> sample_binding(const Template& source, const Knowledge& knowledge,
                                       const std::vector<std::string>& offered, Rng rng) {
-  if (!is_meant_for(source, knowledge.simulator())) return std::nullopt;
+  if (!supports(source, knowledge.simulator())) return std::nullopt;
   std::vector<Binding> found;
   BindingSearch search(source, knowledge);
   search.restrict_to(offered);
@@ -140,7 +140,7 @@ std::optional<Binding> sample_binding(const Template& source, const Knowledge& k
 
 std::optional<Binding> sample_binding(const Template& source, const Knowledge& knowledge,
                                       const std::vector<std::string>& offered, const BindingWishes& wishes, Rng rng) {
-  if (!is_meant_for(source, knowledge.simulator())) return std::nullopt;
+  if (!supports(source, knowledge.simulator())) return std::nullopt;
   std::vector<Binding> found;
   BindingSearch search(source, knowledge);
   search.restrict_to(offered);

@@ -31,7 +31,8 @@ bool is_slice(std::string_view argument) { return argument.ends_with("/slice"); 
 /// Whether all categories that a place of a constraint stands for pass the test: one, none when it is not bound, or the
 /// pieces of `A/slice`.
 template <class Test>
-bool all_meant_by(const std::string& argument, const Binding& binding, const Knowledge& knowledge, const Test& test) {
+bool all_categories_of(const std::string& argument, const Binding& binding, const Knowledge& knowledge,
+                       const Test& test) {
   if (!is_slice(argument)) {  // by far the most, so nothing is copied
     const auto* category = bound_to(binding, argument);
     return category == nullptr || test(*category);
@@ -43,9 +44,9 @@ bool all_meant_by(const std::string& argument, const Binding& binding, const Kno
 }
 
 /// The first of these categories; "" when there is none.
-std::string first_meant_by(const std::string& argument, const Binding& binding, const Knowledge& knowledge) {
+std::string first_category_of(const std::string& argument, const Binding& binding, const Knowledge& knowledge) {
   std::string first;
-  all_meant_by(argument, binding, knowledge, [&](const std::string& category) {
+  all_categories_of(argument, binding, knowledge, [&](const std::string& category) {
     first = category;
     return false;
   });
@@ -55,8 +56,8 @@ std::string first_meant_by(const std::string& argument, const Binding& binding, 
 bool placement_holds(const DomainConstraint& constraint, const ConstraintKind& kind, const Binding& binding,
                      const Knowledge& knowledge) {
   const int capacity = capacity_of(constraint);
-  return all_meant_by(constraint.arguments[0], binding, knowledge, [&](const std::string& object) {
-    return all_meant_by(constraint.arguments[1], binding, knowledge, [&](const std::string& receptacle) {
+  return all_categories_of(constraint.arguments[0], binding, knowledge, [&](const std::string& object) {
+    return all_categories_of(constraint.arguments[1], binding, knowledge, [&](const std::string& receptacle) {
       const auto* row = knowledge.placement(object, *kind.relation, receptacle);
       return row != nullptr && row->capacity >= capacity;
     });
@@ -67,10 +68,10 @@ bool effect_holds(const DomainConstraint& constraint, const ConstraintKind& kind
                   const Knowledge& knowledge) {
   auto substance = substance_of(constraint);
   if (const auto* bound = bound_to(binding, substance)) substance = *bound;
-  return all_meant_by(constraint.arguments[0], binding, knowledge, [&](const std::string& tool) {
+  return all_categories_of(constraint.arguments[0], binding, knowledge, [&](const std::string& tool) {
     // A tool may have several effects of one kind, one for each substance.
     const auto rows = knowledge.effects_of(tool, *kind.treatment);
-    return all_meant_by(constraint.arguments[1], binding, knowledge, [&](const std::string& target) {
+    return all_categories_of(constraint.arguments[1], binding, knowledge, [&](const std::string& target) {
       return std::any_of(rows.begin(), rows.end(), [&](const Effect* row) {
         return row->target == target && (substance.empty() || row->gives == substance);
       });
@@ -111,7 +112,7 @@ std::optional<Names> narrowed(const DomainConstraint& constraint, const std::str
   if (kind.meaning != Meaning::Placement && kind.meaning != Meaning::Effect) return std::nullopt;
   const bool is_first = first == placeholder;
   if (!is_first && second != placeholder) return std::nullopt;
-  const std::string other = first_meant_by(is_first ? second : first, binding, knowledge);
+  const std::string other = first_category_of(is_first ? second : first, binding, knowledge);
   if (other.empty()) return std::nullopt;
   Names names;
   if (kind.meaning == Meaning::Placement) {
@@ -241,7 +242,7 @@ bool value_holds(const DomainConstraint& constraint, const Binding& binding, con
   if (known == nullptr || value == nullptr) return false;
   for (const auto* list : {&known->colours, &known->materials}) {
     if (std::find(list->begin(), list->end(), *value) == list->end()) continue;
-    return std::any_of(list->begin(), list->end(), [&](const auto& other) { return told_apart(*value, other); });
+    return std::any_of(list->begin(), list->end(), [&](const auto& other) { return distinguishable(*value, other); });
   }
   return false;
 }
@@ -253,7 +254,7 @@ bool is_narrow(const std::string& kind) {
 
 bool kind_holds(const DomainConstraint& constraint, const Binding& binding, const Knowledge& knowledge) {
   const auto asked = std::span(constraint.arguments).subspan(1);
-  return all_meant_by(constraint.arguments[0], binding, knowledge, [&](const std::string& name) {
+  return all_categories_of(constraint.arguments[0], binding, knowledge, [&](const std::string& name) {
     const auto* category = knowledge.find(name);
     return category != nullptr &&
            std::any_of(category->kinds.begin(), category->kinds.end(), [&](const std::string& kind) {
@@ -272,7 +273,7 @@ bool same_kind(const DomainConstraint& constraint, const Binding& binding, const
   const auto listed = std::span(constraint.arguments).subspan(placeholders);
   std::vector<const Category*> categories;
   for (const auto& argument : std::span(constraint.arguments).first(placeholders)) {
-    const bool known = all_meant_by(argument, binding, knowledge, [&](const std::string& name) {
+    const bool known = all_categories_of(argument, binding, knowledge, [&](const std::string& name) {
       categories.push_back(knowledge.find(name));
       return categories.back() != nullptr;
     });

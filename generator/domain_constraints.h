@@ -17,7 +17,7 @@ std::vector<std::string> room_types(const Knowledge& knowledge);
 /// parameter asks for.
 bool affords(const Parameter& parameter, const std::string& category, const Knowledge& knowledge);
 
-/// Whether the parameter stands for a colour, material or substance, not for a category.
+/// Whether the parameter stands for a color, material or substance, not for a category.
 bool is_value(const Parameter& parameter);
 /// Whether it stands for a type of room.
 bool is_room(const Parameter& parameter);

@@ -36,11 +36,11 @@ std::string names_of(const std::vector<Simulator>& simulators) {
 }
 
 std::optional<GateRefusal> wrong_simulator(const Template& source, Simulator simulator) {
-  const auto& meant = source.simulators;
-  if (std::find(meant.begin(), meant.end(), simulator) != meant.end()) return std::nullopt;
+  const auto& supported = source.simulators;
+  if (std::find(supported.begin(), supported.end(), simulator) != supported.end()) return std::nullopt;
   const std::string name(name_of(simulator));
   return GateRefusal{Gate::Simulator, name, "the template is not meant for " + name,
-                     "choose one of " + names_of(meant) + ", or add it to the template's simulators"};
+                     "choose one of " + names_of(supported) + ", or add it to the template's simulators"};
 }
 
 std::optional<GateRefusal> wrong_category(const Parameter& parameter, const Binding& binding,

@@ -79,7 +79,7 @@ std::vector<Reference> by_size(const GoalVariable& variable, const Knowledge& kn
   return found;
 }
 
-/// A colour is said of objects that all have one, and none of which has one that could be taken for it.
+/// A color is said of objects that all have one, and none of which has one that could be taken for it.
 void add_values(const GoalVariable& variable, Predicate predicate, const std::vector<std::string>& values,
                 std::vector<Reference>& found) {
   const auto of_all = [&](Formula body) {
@@ -87,12 +87,12 @@ void add_values(const GoalVariable& variable, Predicate predicate, const std::ve
   };
   for (const auto& value : values) {
     const bool another =
-        std::any_of(values.begin(), values.end(), [&](const auto& other) { return told_apart(value, other); });
+        std::any_of(values.begin(), values.end(), [&](const auto& other) { return distinguishable(value, other); });
     if (!another) continue;
     Reference reference{Referring::ByAttribute, atom_with_symbol(predicate, variable.variable, value), {}};
     reference.start.push_back(of_all(atom_with_symbol(predicate, variable.variable, "any")));
     for (const auto& other : values) {
-      if (other == value || told_apart(value, other)) continue;
+      if (other == value || distinguishable(value, other)) continue;
       reference.start.push_back(of_all(negation(atom_with_symbol(predicate, variable.variable, other))));
     }
     found.push_back(std::move(reference));

@@ -9,7 +9,7 @@ namespace unietp {
 
 /// How a goal refers to its objects besides their category (templates/refinement_kinds.h).
 enum class Referring : std::uint8_t {
-  None,     // the goal names its objects by category alone
+  None,     // the goal names its objects only by category
   Written,  // the template has a :where of its own
   ByState,
   ByRelation,

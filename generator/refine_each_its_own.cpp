@@ -36,7 +36,7 @@ std::optional<Reference> set_against(const Reference& first, const std::vector<R
   for (const auto& candidate : offered) {
     const auto& other = literal_of(candidate.test);
     if (one.predicate != other.predicate || one == other) continue;
-    if (first.kind == Referring::ByAttribute && !told_apart(one.terms[1].name, other.terms[1].name)) continue;
+    if (first.kind == Referring::ByAttribute && !distinguishable(one.terms[1].name, other.terms[1].name)) continue;
     if (first.test.op == Formula::Op::Exists && first.test.domain == candidate.test.domain) continue;
     return candidate;
   }

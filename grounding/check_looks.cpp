@@ -10,10 +10,10 @@ namespace unietp {
 namespace {
 
 /// Which of the pairs of a thing that is meant and one that is not looks alike by what the words say of them.
-std::optional<std::string> alike(const std::vector<const Node*>& meant, const std::vector<const Node*>& others,
+std::optional<std::string> alike(const std::vector<const Node*>& referents, const std::vector<const Node*>& others,
                                  const std::set<Predicate>& predicates, Simulator simulator) {
   std::vector<std::pair<Node, Node>> seen;  // pairs that are told apart
-  for (const Node* one : meant) {
+  for (const Node* one : referents) {
     for (const Node* other : others) {
       for (const Predicate predicate : predicates) {
         Node shown = *one;
@@ -21,7 +21,7 @@ std::optional<std::string> alike(const std::vector<const Node*>& meant, const st
         shown.pose = Pose{};
         const auto changed = with_look_of(shown, *other, predicate);
         if (!changed || std::find(seen.begin(), seen.end(), std::pair(shown, *changed)) != seen.end()) continue;
-        if (!told_apart(contrast_of(shown, *changed, simulator)))
+        if (!distinguishable(contrast_of(shown, *changed, simulator)))
           return one->id + " and " + other->id + " by " + std::string(info(predicate).name);
         seen.emplace_back(std::move(shown), *changed);
       }
@@ -44,7 +44,7 @@ std::optional<GroundingFailure> check_looks(const Specification& specification, 
   };
   for (const ReferredThings& one : referred_things(specification.goal, trace)) {
     const auto predicates = predicates_in(one.domain.domain.where.front());
-    if (const auto pair = alike(nodes_of(one.meant), nodes_of(one.others), predicates, specification.simulator))
+    if (const auto pair = alike(nodes_of(one.referents), nodes_of(one.others), predicates, specification.simulator))
       return GroundingFailure{RejectionReason::LooksAlike, "pictures do not tell " + *pair, {}};
   }
   return std::nullopt;

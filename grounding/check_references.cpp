@@ -62,11 +62,11 @@ class FactsOfRooms {
   const Facts& facts_;
 };
 
-/// What is odd about calling the things `meant` the ones nearest to a landmark, `others` being those that are not.
-std::optional<std::string> odd_nearness(const Entities& meant, Entities others, const Entities& landmarks,
+/// What is odd about calling the things `referents` the ones nearest to a landmark, `others` being those that are not.
+std::optional<std::string> odd_nearness(const Entities& referents, Entities others, const Entities& landmarks,
                                         const FactsOfRooms& home) {
   std::erase_if(others, [&](EntityIndex one) { return home.is_shut_away(one); });
-  for (const EntityIndex one : meant) {
+  for (const EntityIndex one : referents) {
     if (home.is_shut_away(one)) return "it is shut away";
     for (const EntityIndex landmark : landmarks) {
       if (home.on_or_in(one, landmark)) return "it is on or in that";
@@ -79,22 +79,23 @@ std::optional<std::string> odd_nearness(const Entities& meant, Entities others, 
   return std::nullopt;
 }
 
-std::optional<std::string> odd_among_others(const Entities& meant, const Entities& others, const FactsOfRooms& home) {
-  const bool together =
-      std::all_of(meant.begin(), meant.end(), [&](EntityIndex one) { return home.in_room_of_any(one, others); });
+std::optional<std::string> odd_among_others(const Entities& referents, const Entities& others,
+                                            const FactsOfRooms& home) {
+  const bool together = std::all_of(referents.begin(), referents.end(),
+                                    [&](EntityIndex one) { return home.in_room_of_any(one, others); });
   return together ? std::nullopt : std::optional<std::string>("the others are in other rooms");
 }
 
 /// What is odd about one test of a reference, or nullopt. `single`: one thing is meant.
 std::optional<std::string> odd_test(const Formula& test, const std::string& variable, bool single,
-                                    const Entities& meant, const Entities& others, const Trace& trace) {
+                                    const Entities& referents, const Entities& others, const Trace& trace) {
   const FactsOfRooms home(trace.states.front());
-  if (test.op == Op::Atom && test.predicate == Predicate::Size) return odd_among_others(meant, others, home);
+  if (test.op == Op::Atom && test.predicate == Predicate::Size) return odd_among_others(referents, others, home);
   const bool by_dirt =
       test.op == Op::Atom && (test.predicate == Predicate::Dirty || test.predicate == Predicate::Clean);
   const auto is_covered = [&](EntityIndex one) { return trace.states.front().holds(Predicate::Covered, one, "any"); };
-  if (by_dirt &&
-      (std::any_of(meant.begin(), meant.end(), is_covered) || std::any_of(others.begin(), others.end(), is_covered)))
+  if (by_dirt && (std::any_of(referents.begin(), referents.end(), is_covered) ||
+                  std::any_of(others.begin(), others.end(), is_covered)))
     return "what is covered with something looks dirty, too";
   const auto related = by_other(test, variable);
   if (!related) return std::nullopt;
@@ -103,16 +104,18 @@ std::optional<std::string> odd_test(const Formula& test, const std::string& vari
   const Entities landmarks = members_of(*related->other, *related->variable, trace);
   if (!single) {
     const auto has_all = [&](EntityIndex landmark) {
-      return std::all_of(meant.begin(), meant.end(), [&](EntityIndex one) { return home.on_or_in(one, landmark); });
+      return std::all_of(referents.begin(), referents.end(),
+                         [&](EntityIndex one) { return home.on_or_in(one, landmark); });
     };
     const bool all_on_one = landmarks.size() > 1 && std::any_of(landmarks.begin(), landmarks.end(), has_all);
     return all_on_one && !related->denied ? std::optional<std::string>("all are on or in one of those") : std::nullopt;
   }
-  if (related->relation == Predicate::Nearest) return odd_nearness(meant, others, landmarks, home);
+  if (related->relation == Predicate::Nearest) return odd_nearness(referents, others, landmarks, home);
   if (landmarks.size() > 1) return "there are several of those";
-  if (related->denied) return odd_among_others(meant, others, home);
-  if (related->relation == Predicate::NextTo &&
-      std::none_of(meant.begin(), meant.end(), [&](EntityIndex one) { return home.in_room_of_any(one, landmarks); }))
+  if (related->denied) return odd_among_others(referents, others, home);
+  if (related->relation == Predicate::NextTo && std::none_of(referents.begin(), referents.end(), [&](EntityIndex one) {
+        return home.in_room_of_any(one, landmarks);
+      }))
     return "that is in another room";
   return std::nullopt;
 }
@@ -120,7 +123,7 @@ std::optional<std::string> odd_test(const Formula& test, const std::string& vari
 }  // namespace
 
 std::optional<GroundingFailure> check_references(const Specification& specification, const Trace& trace) {
-  for (const auto& [domain, meant, others] : referred_things(specification.goal, trace)) {
+  for (const auto& [domain, referents, others] : referred_things(specification.goal, trace)) {
     const Formula& where = domain.domain.where.front();
     const auto tests = where.op == Op::And ? where.children : std::vector<Formula>{where};
     const bool by_power = std::any_of(tests.begin(), tests.end(), [](const Formula& test) {
@@ -129,7 +132,7 @@ std::optional<GroundingFailure> check_references(const Specification& specificat
     if (by_power && tests.size() > 1)
       return GroundingFailure{RejectionReason::OddReference, to_text(where) + ": it says that it is on, and where", {}};
     for (const Formula& test : tests) {
-      if (const auto odd = odd_test(test, domain.variable, domain.op == Op::Exists, meant, others, trace))
+      if (const auto odd = odd_test(test, domain.variable, domain.op == Op::Exists, referents, others, trace))
         return GroundingFailure{RejectionReason::OddReference, to_text(test) + ": " + *odd, {}};
     }
   }

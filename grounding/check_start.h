@@ -19,7 +19,7 @@ struct StartGates {
   bool natural = false;   // things are told apart as people would (check_references)
 };
 
-/// Checks a start from physics alone, sharing nothing with the code that made it but the home that it grew out of:
+/// Checks a start using only physics, sharing nothing with the code that made it but the home that it grew out of:
 /// what differs from the home is found by comparing the two, put into a fresh copy of the home's bodies, and what can
 /// have changed with it is read anew. All start constraints hold; the goal is false and so is each part that the agent
 /// has to bring about; no forall or count is about nothing; a referring constraint picks out something (and, where it

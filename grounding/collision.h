@@ -31,7 +31,7 @@ class PlacementChecker {
   void set(BodyId id, const Shape& shape, const Pose& pose, double opening);
   void remove(BodyId id);
 
-  /// The body with the lowest id that comes nearer than `gap` metres to the shape; nullopt when it is free. `ignore`
+  /// The body with the lowest id that comes nearer than `gap` meters to the shape; nullopt when it is free. `ignore`
   /// are left out.
   std::optional<BodyId> hit(const Shape& shape, const Pose& pose, double opening, double gap = kGap_m,
                             std::span<const BodyId> ignore = {}) const;

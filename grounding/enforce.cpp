@@ -185,7 +185,7 @@ bool Enforcer::make_for_all(const Formula& formula, const Names& names, bool tru
 
 bool Enforcer::has_member_to_change(const Formula& formula, const Names& names, bool truth, int depth) {
   auto candidates = satisfying(formula, names, !truth);
-  // Only what a constraint itself speaks of is left alone; a table may hold what several constraints put on it.
+  // Only what a constraint itself speaks of is left unchanged; a table may hold what several constraints put on it.
   // Its size is a thing's own: changing that undoes nothing else that was asked of it.
   const Formula& body = formula.children.front();
   const bool of_size = body.op == Op::Atom && body.predicate == Predicate::Size;

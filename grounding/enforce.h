@@ -12,8 +12,8 @@
 
 namespace unietp {
 
-/// Makes state formulas true of a scene, one after the other, by edits: what already holds is left alone; otherwise the
-/// formula is taken apart (a count lacks objects: change some or add one; has too many: change or remove one; a
+/// Makes state formulas true of a scene, one after the other, by edits: what already holds is left unchanged; otherwise
+/// the formula is taken apart (a count lacks objects: change some or add one; has too many: change or remove one; a
 /// relation is missing: move the object there) down to single edits. Objects that serve one constraint as its witnesses
 /// are reserved, so that the next does not undo them but takes or adds others.
 class Enforcer {

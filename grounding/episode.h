@@ -8,7 +8,7 @@
 
 namespace unietp {
 
-/// A specification grounded in a scene whose start has been checked from physics alone.
+/// A specification grounded in a scene whose start has been checked using only physics.
 struct Episode {
   Specification specification;
   std::string layout;              // id of the base scene

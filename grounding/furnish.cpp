@@ -26,7 +26,7 @@ constexpr double kInRun = 0.85;      // how often the next piece of a run is
 constexpr double kFreeSide_m = 0.5;  // of what stands free: from each side to the room's edge
 constexpr double kBetweenSeats_m = 0.08, kSeat_m = 0.55;  // depth of a chair at a table
 constexpr double kDesk_m = 0.8;                           // least width of what one sits at
-constexpr double kNeighbour_m = 0.06, kInRun_m = 0.02;    // farthest from the neighbour
+constexpr double kNeighbour_m = 0.06, kInRun_m = 0.02;    // farthest from the neighbor
 constexpr double kAside_m = 0.25;                         // of what faces a piece, from its middle
 constexpr double kAbove_m = 0.25;  // of what treats a thing that stands on it: more than a pot's height
 constexpr double kLidLean = 0.36;  // how far an open lid stands out behind, as a share of its length

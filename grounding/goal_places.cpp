@@ -72,11 +72,12 @@ std::vector<ReferredThings> referred_things(const Formula& goal, const Trace& tr
     if (free_variables(one.domain.where.front()) != std::vector<std::string>{one.variable}) continue;
     Domain all = one.domain;
     all.where.clear();
-    auto meant = members_of(one.domain, one.variable, trace);
+    auto referents = members_of(one.domain, one.variable, trace);
     auto others = members_of(all, one.variable, trace);
-    std::erase_if(others,
-                  [&](EntityIndex entity) { return std::find(meant.begin(), meant.end(), entity) != meant.end(); });
-    found.push_back({std::move(one), std::move(meant), std::move(others)});
+    std::erase_if(others, [&](EntityIndex entity) {
+      return std::find(referents.begin(), referents.end(), entity) != referents.end();
+    });
+    found.push_back({std::move(one), std::move(referents), std::move(others)});
   }
   return found;
 }

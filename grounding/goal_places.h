@@ -28,7 +28,7 @@ std::vector<QuantifiedDomain> quantified_domains(const Formula& formula);
 /// Things that a goal tells from others by a `:where` about the thing alone.
 struct ReferredThings {
   QuantifiedDomain domain;
-  std::vector<EntityIndex> meant, others;  // in the first state, by index; the others are of the same categories
+  std::vector<EntityIndex> referents, others;  // in the first state, by index; the others are of the same categories
 };
 /// In the order in which the goal has them. `trace` has at least one state.
 std::vector<ReferredThings> referred_things(const Formula& goal, const Trace& trace);

@@ -31,7 +31,7 @@ struct Grounded {
 };
 
 /// Stage: (specification, home, rng) → episode. Edits a copy of the home's scene until every start constraint holds and
-/// the goal does not, then checks the result from physics alone: constraints hold, each conjunct of the goal is false,
+/// the goal does not, then checks the result using only physics: constraints hold, each conjunct of the goal is false,
 /// what the goal names can be reached by the body, a referring constraint picks out what it should and leaves a
 /// distractor. Deterministic. Budgets are tries, never time.
 std::variant<Grounded, Rejection> ground(const Specification& specification, const Home& home,

@@ -56,7 +56,7 @@ std::optional<Bounds> sweep_of(const Node& node);
 /// How far a space goes beyond some bounds, along the axis where it goes farthest; 0 for one within them or none, m.
 double goes_beyond(const std::optional<Bounds>& space, const Bounds& bounds);
 
-/// Whether two nodes are one thing with the same body in the same place: states and colours may differ, relations
+/// Whether two nodes are one thing with the same body in the same place: states and colors may differ, relations
 /// cannot.
 bool same_body(const Node& a, const Node& b);
 

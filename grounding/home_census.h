@@ -16,7 +16,7 @@ namespace unietp {
 struct CensusObject {
   std::string category;
   bool movable = false;
-  std::optional<Bounds> box;         // in W, metres; none where the source has no poses
+  std::optional<Bounds> box;         // in W, meters; none where the source has no poses
   std::vector<std::string> held_by;  // categories of what it is on or inside
 };
 
@@ -44,7 +44,7 @@ HomeCensus census_of(const Scene& scene, const StructureNames& structure);
 /// The share of a room's floor over which no thing stands low: a grid of 10 cm cells, minus those whose middle lies
 /// under the box of a thing that begins below 0.5 m and is higher than 5 cm. nullopt without an outline.
 std::optional<double> free_floor_share(const CensusRoom& room);
-/// Square metres; 0 without an outline.
+/// Square meters; 0 without an outline.
 double floor_area(const CensusRoom& room);
 
 }  // namespace unietp

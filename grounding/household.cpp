@@ -10,9 +10,9 @@ namespace {
 
 constexpr double kInPassing = 0.15;  // of the weight of a place that things only pass through
 
-constexpr double kUsualRoom = 0.25;  // least value of in_room() of a room where such things usually are
-constexpr double kTolerable = 0.03;  // weight of all tolerable places of a category together; the usual ones have 1
-constexpr double kUnspoken = 0.02;   // share of a state that nobody spoke of
+constexpr double kUsualRoom = 0.25;      // least value of in_room() of a room where such things usually are
+constexpr double kTolerable = 0.03;      // weight of all tolerable places of a category together; the usual ones have 1
+constexpr double kUnspokenScore = 0.02;  // share of a state that nobody spoke of
 
 /// Whether a rule says that nobody finds such a thing there before a task: food is in an oven only while it is cooked.
 bool is_never_found(const CommonSense& sense, const Thing& thing, const Role& place) {
@@ -78,13 +78,13 @@ Household::Household(const Knowledge& knowledge, const CommonSense& sense, Start
     const Thing name = thing_of(category);
     for (const Category& other : knowledge.categories())
       if (other.movable == category.movable && sense.may_mean(name, thing_of(other)))
-        meant_[category.name].insert(other.name);
+        covered_by_name_[category.name].insert(other.name);
   }
 }
 
 bool Household::may_mean(std::string_view name, const std::string& other) const {
-  const auto found = meant_.find(name);
-  return found != meant_.end() && found->second.contains(other);
+  const auto found = covered_by_name_.find(name);
+  return found != covered_by_name_.end() && found->second.contains(other);
 }
 
 const std::vector<Household::Place>& Household::places_of(std::string_view category) const {
@@ -158,7 +158,7 @@ std::vector<LikelyState> Household::states_of(std::string_view category, Predica
 
 double Household::share(std::string_view category, Predicate relation, std::string_view receptacle,
                         const State& state) const {
-  return states_.share(kind_of(category), role_at(relation, receptacle), state).value_or(kUnspoken);
+  return states_.share(kind_of(category), role_at(relation, receptacle), state).value_or(kUnspokenScore);
 }
 
 Result<Household> read_household(const std::filesystem::path& sense, const Knowledge& knowledge) {

@@ -90,8 +90,9 @@ class Household {
   std::set<std::string, std::less<>> passing_;            // receptacles of PlaceUse::Passing
   std::map<std::string, std::vector<Place>, std::less<>> places_;
   std::map<std::string, std::map<std::string, double, std::less<>>, std::less<>> rooms_;  // by kind, then type of room
-  std::map<std::string, std::set<std::string>, std::less<>> meant_;  // by a category with a generic name: others
-  std::map<std::string, double, std::less<>> on_floor_;              // by kind
+  std::map<std::string, std::set<std::string>, std::less<>>
+      covered_by_name_;                                  // by a category with a generic name: others
+  std::map<std::string, double, std::less<>> on_floor_;  // by kind
 };
 
 /// The household of a simulator from the tables of data/sense. Errors: the first of those tables.

@@ -9,7 +9,7 @@
 
 namespace unietp {
 
-/// An instance of a category with a fresh id, default states, colour and material drawn from the category's lists. Its
+/// An instance of a category with a fresh id, default states, color and material drawn from the category's lists. Its
 /// size is that of one of the category's usable models, drawn, whose name it then carries; where there is none, one
 /// that differs from the typical by at most `spread` (a share; per axis for furniture, as a whole for what moves, so
 /// that balls stay balls). The mass follows the volume. The pose is left to the caller.

@@ -25,7 +25,7 @@ constexpr std::array<Fill, 10> kFills{{{Archetype::Block, "#e4e2dc"},
                                        {Archetype::Panel, "#a9cfe0"},
                                        {Archetype::Fixture, "#cfcdc7"}}};
 
-/// The tables' words for colours, in shades that sit well together.
+/// The tables' words for colors, in shades that sit well together.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 19> kColours{{{"white", "#fbfaf6"},
                                                                                   {"grey", "#a4a4a4"},
                                                                                   {"silver", "#c2c6ca"},

@@ -9,7 +9,7 @@ namespace unietp {
 /// boards, doors and drawers a front (and stand open when they do). What hangs high is dashed.
 void draw_furniture(SvgCanvas& canvas, const Node& node);
 
-/// Draws a movable object with its real outline, in its own colour where that is known; paler when something hides it.
+/// Draws a movable object with its real outline, in its own color where that is known; paler when something hides it.
 void draw_object(SvgCanvas& canvas, const Node& node, bool hidden);
 
 /// The corners of a node's box on the floor plan.

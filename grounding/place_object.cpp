@@ -11,8 +11,8 @@
 namespace unietp {
 namespace {
 
-constexpr double kDropHeight_m = 0.002;     // over the surface, more than FCL's gap
-constexpr double kUnsettledGap_m = 0.0002;  // left under what is not let down
+constexpr double kDropHeight_m = 0.002;       // over the surface, more than FCL's gap
+constexpr double kGapBelowPlaced_m = 0.0002;  // left under what is not let down
 constexpr double kHeadroom_m = 0.005;
 constexpr double kMostSlide_m = 0.01;  // what moves farther while it settles did not rest where it was put
 constexpr double kMostTilt_rad = 0.05;
@@ -142,8 +142,8 @@ std::optional<Pose> try_pose(Workspace& workspace, double opening, TrialNode& tr
     obstacle = "stands in the way of a door";
     return std::nullopt;
   }
-  // From a hair's breadth: what falls two millimetres takes a fifth longer to come to rest.
-  const Pose let_down{pose.position - Vec3(0, 0, kDropHeight_m - kUnsettledGap_m), pose.rotation};
+  // From a hair's breadth: what falls two millimeters takes a fifth longer to come to rest.
+  const Pose let_down{pose.position - Vec3(0, 0, kDropHeight_m - kGapBelowPlaced_m), pose.rotation};
   if (!options.settle) return let_down;
   trial.move(let_down);
   const auto rest =

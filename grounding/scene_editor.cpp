@@ -188,7 +188,7 @@ bool SceneEditor::leaves_rooms_open() {
 }
 
 bool SceneEditor::clear_off(const std::string& id) {
-  // Two things of a home from a file may rest on each other: the one that is being cleared already is left alone.
+  // Two things of a home from a file may rest on each other: the one that is being cleared already is left unchanged.
   const auto index = index_of(id);
   if (!index || !clearing_.insert(id).second) return true;
   refresh();

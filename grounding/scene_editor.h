@@ -45,7 +45,7 @@ class SceneEditor {
   /// scene/size_and_nearness.h).
   bool bring_near(const std::string& id, const std::string& other);
 
-  /// Sets a state of an exclusive group, `covered`, colour, material or size; doors and lids move with `open` and
+  /// Sets a state of an exclusive group, `covered`, color, material or size; doors and lids move with `open` and
   /// `closed`; what becomes larger or smaller is put back where it was.
   bool set_state(const std::string& id, Predicate predicate, const std::string& symbol, bool truth);
   bool move_agent(const std::string& room, bool into);

@@ -246,7 +246,7 @@ class Drawing {
     }
   }
 
-  /// A metre to measure by, and how much there is.
+  /// A meter to measure by, and how much there is.
   void foot(std::size_t furniture, std::size_t objects) {
     const Vec2 left(extent_.low.x() + kMargin_m, extent_.low.y() + kFoot_m);
     constexpr std::string_view kInk = "stroke=\"#6f6b62\" stroke-width=\"1.4\"";

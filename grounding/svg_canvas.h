@@ -8,7 +8,7 @@
 
 namespace unietp {
 
-/// An SVG under way. Points are metres in W seen from above, +y up; lengths named _px are pixels of the picture.
+/// An SVG under way. Points are meters in W seen from above, +y up; lengths named _px are pixels of the picture.
 class SvgCanvas {
  public:
   static constexpr double kPixelsPerMetre = 80;
@@ -25,7 +25,7 @@ class SvgCanvas {
   void circle(const Vec2& centre, double radius, std::string_view style);
   /// A rectangle with round corners, its size in pixels.
   void pill(const Vec2& centre, const Vec2& size_px, std::string_view style);
-  /// Centred on the point, in both directions.
+  /// Centered on the point, in both directions.
   void text(const Vec2& centre, double size_px, std::string_view style, std::string_view words);
 
   /// What follows belongs together; a pointer that rests on it shows the words.

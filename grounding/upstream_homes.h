@@ -10,7 +10,7 @@
 
 namespace unietp {
 
-/// Real homes of one simulator, from files whose licence allows their facts to be shipped.
+/// Real homes of one simulator, from files whose license allows their facts to be shipped.
 struct UpstreamHomes {
   std::string source;             // "metadata:ithor_scenes.json.gz"
   std::vector<HomeCensus> homes;  // objects of known categories in rooms of our seven types

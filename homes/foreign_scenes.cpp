@@ -110,7 +110,7 @@ std::optional<std::string> scene_format_of(std::string_view text) {
   if (any({"objects_info", "ori_xyzw", "fixed_base"})) return "behavior";
   if (any({"class_name"})) return "virtualhome";
   if (any({"objectId"})) return "ithor";
-  if (any({"center"}) && any({"size"})) return "hssd";  // labelled boxes
+  if (any({"center"}) && any({"size"})) return "hssd";  // labeled boxes
   return std::nullopt;
 }
 

@@ -145,8 +145,8 @@ std::string diagnosis_text(const HomeDiagnosis& diagnosis, std::size_t examples)
     text += section("not as in the file", lines_of(report.issues), examples);
     text += section("repaired", lines_of(report.repairs), examples);
   }
-  if (diagnosis.faults.empty()) return text + "  nothing is wrong with the home as it is now\n";
-  return text + section("wrong with the home as it is now", lines_of(diagnosis.faults), examples);
+  if (diagnosis.faults.empty()) return text + "  the home has no faults now\n";
+  return text + section("faults of the home now", lines_of(diagnosis.faults), examples);
 }
 
 }  // namespace unietp

@@ -17,7 +17,7 @@ namespace unietp {
 namespace {
 
 constexpr double kUpright = 0.999;
-constexpr double kOpen = 0.05;  // radians or metres from which a joint is open
+constexpr double kOpen = 0.05;  // radians or meters from which a joint is open
 
 /// Models' fronts look along x, ours along -y.
 const Quat kFrontAlongX(std::sqrt(0.5), 0, 0, std::sqrt(0.5));

@@ -9,7 +9,7 @@
 
 namespace unietp {
 
-/// One object of a BEHAVIOR scene as its file has it: metres, z up, the model's own axes (fronts along x).
+/// One object of a BEHAVIOR scene as its file has it: meters, z up, the model's own axes (fronts along x).
 struct BehaviorObject {
   std::string name, category, model;
   Vec3 scale = Vec3::Ones();
@@ -17,7 +17,7 @@ struct BehaviorObject {
   bool fixed = false, robot = false;
   std::vector<std::string> rooms;
   Pose root;         // of the root link, W
-  double joint = 0;  // the largest joint position, radians or metres
+  double joint = 0;  // the largest joint position, radians or meters
   bool has_switch_state = false, switched_on = false;
 };
 

@@ -13,7 +13,7 @@ namespace unietp {
 namespace {
 
 constexpr double kBeside_m = 0.5, kFarBeside_m = 2;
-constexpr double kSameWall_m = 0.3;  // floors of neighbours end on the two sides of a wall
+constexpr double kSameWall_m = 0.3;  // floors of neighbors end on the two sides of a wall
 
 struct Floor {
   std::string room;
@@ -35,7 +35,7 @@ std::string type_of(std::string room) {
 
 bool overlap(const Tile& a, const Tile& b) { return (a.high.cwiseMin(b.high) - a.low.cwiseMax(b.low)).minCoeff() > 0; }
 
-/// A floor's file gives its root link and not its middle, so that the box can lie off by a metre: what the file says to
+/// A floor's file gives its root link and not its middle, so that the box can lie off by a meter: what the file says to
 /// stand in the room, and stands a little beside it, shows how far the nearest tile reaches.
 void reach_out(std::vector<Tile>& tiles, const Vec3& position) {
   const Vec2 point = position.head<2>();

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kToldStretch = 0.5;  // of a side of a model's box
+constexpr double kReportedStretch = 0.5;  // of a side of a model's box
 constexpr double kFloorThickness_m = 0.1;
 
 Json list_of(const Vec3& v) { return Json::array({v.x(), v.y(), v.z()}); }
@@ -101,7 +101,7 @@ class BehaviorWriter {
       left_out_.push_back(node.id + ": no model of " + node.category + " is known");
       return;
     }
-    if (stretch(*asset, node) > kToldStretch)
+    if (stretch(*asset, node) > kReportedStretch)
       left_out_.push_back(node.id + ": its model is stretched by more than half of a side");
     const auto dash = asset->name.rfind('-');
     const std::string category = asset->name.substr(0, dash), model = asset->name.substr(dash + 1);

@@ -46,13 +46,13 @@ class Holding {
   std::set<std::string> on_floor_;
 };
 
-/// How far a node stands from where the file has it, metres.
+/// How far a node stands from where the file has it, meters.
 double off_by(const Draft& draft, std::size_t node) {
   return (draft.scene.nodes[node].pose * draft.centre_in_node[node] - draft.file_centre[node]).norm();
 }
 
 std::string millimetres(double metres) {
-  return metres < 1000 ? std::to_string(std::lround(metres * 1000)) + " mm" : "more than a kilometre";
+  return metres < 1000 ? std::to_string(std::lround(metres * 1000)) + " mm" : "more than a kilometer";
 }
 
 /// Floors, walls and doors are there when some room's outline, wall or opening is.

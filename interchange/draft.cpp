@@ -123,7 +123,7 @@ class Placer {
       return;
     }
     if (!is_near_a_room(draft_.scene, object.pose.position.head<2>())) {
-      return issue(object, Reason::OutsideRooms, "it lies more than half a metre from every room");
+      return issue(object, Reason::OutsideRooms, "it lies more than half a meter from every room");
     }
     add_node(index, object, *category, asset);
   }

@@ -84,7 +84,7 @@ void place_agent(const SourceScene& source, const Profile& profile, Draft& draft
 /// How many objects stand within kArrived_m of the file's pose; the others as issues when `list`.
 int count_in_place(const SourceScene& source, Draft& draft, bool list);
 
-/// Puts the draft's repairs of a millimetre or more into its report, in order of the nodes.
+/// Puts the draft's repairs of a millimeter or more into its report, in order of the nodes.
 void report_repairs(const SourceScene& source, Draft& draft);
 
 /// Counts the relations that still hold, and lists the others. Edges must have been read.

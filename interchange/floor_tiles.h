@@ -8,7 +8,7 @@
 
 namespace unietp {
 
-/// A level rectangle along the axes, metres.
+/// A level rectangle along the axes, meters.
 struct Tile {
   Vec2 low = Vec2::Zero(), high = Vec2::Zero();
 };

@@ -16,7 +16,7 @@ namespace unietp {
 /// not among iTHOR's 125 and so not in the knowledge base.
 struct DoorModel {
   std::string name;              // "Doorframe_1"
-  double width = 0, height = 0;  // metres
+  double width = 0, height = 0;  // meters
 };
 
 /// VirtualHome's word for something, and ours.

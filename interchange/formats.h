@@ -25,7 +25,7 @@ Result<std::vector<SourceScene>> read_procthor(const std::string& where, std::st
 /// VirtualHome: scene graphs.
 Result<std::vector<SourceScene>> read_virtualhome(const std::string& where, std::string_view text,
                                                   const Knowledge& knowledge, const FormatFacts& facts);
-/// Habitat: scene instances of ReplicaCAD and HSSD, and labelled boxes.
+/// Habitat: scene instances of ReplicaCAD and HSSD, and labeled boxes.
 Result<std::vector<SourceScene>> read_habitat(const std::string& where, std::string_view text,
                                               const Knowledge& knowledge, const FormatFacts& facts);
 /// BEHAVIOR: scene files of OmniGibson.

@@ -142,7 +142,7 @@ class HabitatImporter {
     ++fitted_;
   }
 
-  /// Joint positions in radians or metres: how far of a quarter turn.
+  /// Joint positions in radians or meters: how far of a quarter turn.
   double opening_of(const JsonAt& joints) {
     double most = 0;
     const auto add = [&](const JsonAt& value) { most = std::max(most, std::abs(reader_.number(value))); };

@@ -68,7 +68,7 @@ class HabitatExporter {
   }
 
   /// Template and scale. What no model of the knowledge base fits gets a template of its own, named by its category and
-  /// size in millimetres, which a user's data set has to provide.
+  /// size in millimeters, which a user's data set has to provide.
   std::string template_of(const Node& node, Vec3& scale) {
     const Category& category = *knowledge_.find(node.category);
     const auto own = stand_ins_ ? habitat_own_template(node) : std::nullopt;

@@ -10,7 +10,7 @@ namespace unietp {
 
 // Parts of ProcTHOR's house JSON that follow from little. Coordinates are Unity's.
 
-/// Rounded to 1 / per_unit, and never -0: houses are written to a tenth of a millimetre, angles to a thousandth of a
+/// Rounded to 1 / per_unit, and never -0: houses are written to a tenth of a millimeter, angles to a thousandth of a
 /// degree.
 double house_number(double value, double per_unit);
 /// {"x", "y", "z"}, rounded as house_number does.

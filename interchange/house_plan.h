@@ -19,12 +19,12 @@ struct WallPart {
 /// The outlines of all rooms cut where another room's corner lies on them, room by room, counter-clockwise.
 std::vector<WallPart> wall_parts(const Scene& scene);
 
-/// Where something on a wall is: along it from `from`, metres; nullopt when no part of a wall has it.
+/// Where something on a wall is: along it from `from`, meters; nullopt when no part of a wall has it.
 struct OnWall {
   std::size_t part = 0;  // position in the parts
   double along = 0;
 };
-/// The part nearest to a point, within `reach` metres of its line; `room` and `behind` as asked.
+/// The part nearest to a point, within `reach` meters of its line; `room` and `behind` as asked.
 std::optional<OnWall> nearest_wall(const std::vector<WallPart>& parts, const Vec2& point, double reach,
                                    std::optional<std::size_t> room = std::nullopt,
                                    std::optional<std::size_t> behind = std::nullopt);

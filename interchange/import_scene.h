@@ -84,7 +84,7 @@ struct ImportReport {
   int rooms_drawn = 0;     // around the objects, of a file without rooms
   int openings_made = 0;   // in shared walls, of a file without openings
   std::vector<ImportIssue> issues;
-  std::vector<ImportRepair> repairs;  // from a millimetre on, in order of the nodes
+  std::vector<ImportRepair> repairs;  // from a millimeter on, in order of the nodes
 };
 
 /// A scene made of a simulator's file.

@@ -110,7 +110,7 @@ class HouseReader {
 
   std::string opening_name() const { return "opening_" + std::to_string(scene_.openings.size() + 1); }
 
-  /// A door's or window's wall, and the two corners of its hole: along the wall and up, metres.
+  /// A door's or window's wall, and the two corners of its hole: along the wall and up, meters.
   struct Hole {
     Wall wall;
     double from = 0, to = 0, low = 0, high = 0;

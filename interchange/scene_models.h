@@ -15,7 +15,7 @@ namespace unietp {
 /// What a model is that scene files only name.
 struct SceneModel {
   std::string category;      // "" when not known
-  Vec3 size = Vec3::Zero();  // full extents in the object frame: width, depth, height, metres; zero when not known
+  Vec3 size = Vec3::Zero();  // full extents in the object frame: width, depth, height, meters; zero when not known
   double mass = 0;           // kilograms, 0 when not known
   bool operator==(const SceneModel&) const = default;
 };

@@ -15,13 +15,13 @@ struct SourceRelation {
   std::string receptacle;  // SourceObject::id
 };
 
-/// One object as a simulator's own file describes it, turned into our frames: W right-handed, z up, metres; the object
-/// frame with its origin at the centre of the box, x to its right, y to its back.
+/// One object as a simulator's own file describes it, turned into our frames: W right-handed, z up, meters; the object
+/// frame with its origin at the center of the box, x to its right, y to its back.
 struct SourceObject {
   std::string id;            // the file's own
   std::string category;      // the simulator's own name for the kind of thing; "" when the file has none
   std::string asset;         // the model, "" when the file names none
-  Pose pose;                 // of the box's centre
+  Pose pose;                 // of the box's center
   Vec3 size = Vec3::Zero();  // full extents of the box in the object frame; zero when neither file nor model has one
   double mass = 0;           // kilograms, 0 when not said
   double opening = 0;        // 0 closed … 1 open
@@ -37,7 +37,7 @@ struct SourceScene {
   std::vector<Room> rooms;        // may be empty: then drawn around the objects
   std::vector<Opening> openings;  // may be empty
   double wall_height = 2.6;
-  double wall_thickness = 0.1;  // centred on the edges of the rooms' polygons
+  double wall_thickness = 0.1;  // centered on the edges of the rooms' polygons
   std::vector<SourceObject> objects;
   bool has_agent = false;
   Agent agent;

@@ -14,17 +14,17 @@ constexpr double kNear_m = 0.02;  // without a word in the file: what reaches th
 Supports::Supports(const Draft& draft, const std::vector<Bounds>& boxes)
     : holders_(boxes.size()), children_(boxes.size()) {
   for (const Bounds& box : boxes) volumes_.push_back(volume_of(box));
-  std::vector<bool> told(boxes.size(), false);
+  std::vector<bool> is_given(boxes.size(), false);
   for (const DraftRelation& relation : draft.relations) {
     if (!relation.node) continue;
     const bool on_floor = !relation.held && boxes[*relation.node].low.z() < kOnFloor_m;
-    if (relation.held || on_floor) told[*relation.node] = true;
+    if (relation.held || on_floor) is_given[*relation.node] = true;
     if (relation.held) holders_[*relation.node].push_back(*relation.held);
   }
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     auto& holders = holders_[i];
     std::stable_sort(holders.begin(), holders.end(), [&](std::size_t a, std::size_t b) { return smaller(a, b); });
-    if (told[i] || !draft.scene.nodes[i].movable) continue;
+    if (is_given[i] || !draft.scene.nodes[i].movable) continue;
     if (const auto holder = holder_by_place(draft, boxes, i)) holders.push_back(*holder);
   }
   for (std::size_t i = 0; i < boxes.size(); ++i) {

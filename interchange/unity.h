@@ -8,7 +8,7 @@
 
 namespace unietp {
 
-// Unity's frame (AI2-THOR, ProcTHOR, VirtualHome): left-handed, metres, y up; Euler angles in degrees, applied z, x, y;
+// Unity's frame (AI2-THOR, ProcTHOR, VirtualHome): left-handed, meters, y up; Euler angles in degrees, applied z, x, y;
 // yaw turns clockwise seen from above. W = (x, z, y) of Unity. Models face Unity's +z, ours face -y of the object
 // frame, so the frame of a model that is not turned in Unity is turned by 180° in W.
 
@@ -31,7 +31,7 @@ double agent_yaw_to_unity(const Agent& agent);
 
 /// A box in the object frame.
 struct PosedBox {
-  Pose pose;  // of its centre, W
+  Pose pose;  // of its center, W
   Vec3 size = Vec3::Zero();
 };
 
@@ -39,7 +39,7 @@ struct PosedBox {
 /// nullopt when they are no corners of a box.
 std::optional<PosedBox> box_of_corners(const std::array<Vec3, 8>& corners, const Quat& facing);
 
-/// The upright box that has this axis-aligned box around it (centre and full extents, W), turned by the yaw of
+/// The upright box that has this axis-aligned box around it (center and full extents, W), turned by the yaw of
 /// `facing`: exact at right angles, solved for others; near 45°, where there is no one answer, the axis-aligned box.
 PosedBox box_within(const Vec3& centre, const Vec3& extents, const Quat& facing);
 

@@ -117,7 +117,7 @@ class Importer {
       tiles.push_back(std::move(floor));
       scene_.wall_height = rooms.size() == 1 ? room.extents.y() : std::max(scene_.wall_height, room.extents.y());
     }
-    constexpr double kSameWall_m = 0.06;  // neighbours' tiles miss each other by up to 3 cm
+    constexpr double kSameWall_m = 0.06;  // neighbors' tiles miss each other by up to 3 cm
     std::vector<Tile*> all;
     for (auto& floor : tiles) {
       for (Tile& tile : floor) all.push_back(&tile);

@@ -8,7 +8,7 @@
 
 namespace unietp {
 
-/// A node of a VirtualHome environment graph, in Unity's axes: metres, y up, z forward, left-handed.
+/// A node of a VirtualHome environment graph, in Unity's axes: meters, y up, z forward, left-handed.
 struct VirtualhomeNode {
   long long id = 0;
   std::string class_name, category, prefab;

@@ -124,7 +124,7 @@ Formula substitute_names(const Formula& formula, const std::vector<NameBinding>&
 Formula rename_variable(const Formula& formula, const std::string& from, const std::string& to);
 
 /// A form that is equal for formulas that differ only in the names of bound variables, the order and nesting of
-/// and/or, double negation, and the order of neighbouring quantifiers of one kind. Equal normal forms mean the same;
+/// and/or, double negation, and the order of neighboring quantifiers of one kind. Equal normal forms mean the same;
 /// the converse is not claimed.
 Formula normal_form(const Formula& formula);
 

@@ -146,7 +146,7 @@ std::optional<Formula> FormulaParser::formula(const Sexpr& expression, const Pla
   const auto near = nearest_word(head.text);
   note(head, unknown_word(head.text, near));
   // The parts of a misspelt operator are read, for what else is wrong with them.
-  if (const auto* meant = operator_named(near)) operation(meant->op, expression, place);
+  if (const auto* similar = operator_named(near)) operation(similar->op, expression, place);
   return std::nullopt;
 }
 

@@ -8,7 +8,7 @@ namespace {
 
 using Op = Formula::Op;
 
-/// Flattens and/or, drops double negations and lone children, so that quantifiers that neighbour in meaning do in form.
+/// Flattens and/or, drops double negations and lone children, so that quantifiers that neighbor in meaning do in form.
 Formula flattened(const Formula& formula) {
   Formula result = formula;
   for (auto& where : result.domain.where) where = flattened(where);
@@ -36,7 +36,7 @@ struct Binder {
   Domain domain;
 };
 
-/// Names bound variables by their depth; of the orders of neighbouring quantifiers of one kind it takes the one with
+/// Names bound variables by their depth; of the orders of neighboring quantifiers of one kind it takes the one with
 /// the smallest text. Orders are tried only among quantifiers of equal domains, so the work stays small.
 class Normalizer {
  public:
@@ -180,7 +180,7 @@ Formula normal_form(const Formula& formula) {
   while (taken()) prefix += '_';
   const Normalizer normalizer(prefix);
   Formula result = normalizer.normal(flattened(formula), 0);
-  // Parts that turned out equal were joined, which can bring new neighbours together; each round makes it smaller.
+  // Parts that turned out equal were joined, which can bring new neighbors together; each round makes it smaller.
   for (;;) {
     Formula again = normalizer.normal(flattened(result), 0);
     if (to_text(again).size() >= to_text(result).size()) return result;

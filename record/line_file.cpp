@@ -15,7 +15,7 @@ constexpr std::size_t kBlockBytes = std::size_t{1} << 18;  // read at once
 std::string fault_of(const std::string& text, bool has_end) {
   if (!has_end) return "does not end in a line feed: the file is cut off";
   if (text.empty()) return "is empty; expected a JSON object on every line";
-  if (text.back() == '\r') return "ends in CR LF; expected LF alone";
+  if (text.back() == '\r') return "ends in CR LF; expected only LF";
   return "";
 }
 

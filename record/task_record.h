@@ -74,6 +74,9 @@ Result<DemonstrationRecord> read_demonstration(std::string_view where, int line,
 struct RejectionRecord {
   int slot = 0, attempt = 0;
   std::string template_name, simulator, split, stage, reason, detail;
+
+  /// Whether a person took the task out after it was made. Other stages are steps of the run.
+  bool is_by_review() const { return stage == "review"; }
 };
 /// As read_task.
 Result<RejectionRecord> read_rejection(std::string_view where, int line, std::string_view text);

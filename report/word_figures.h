@@ -21,7 +21,7 @@ struct CountedText {
   bool by_author = false;  // in a phrasing of its template's own
 };
 
-/// How often each pair of neighbouring words occurs within texts; words are lower case, without punctuation.
+/// How often each pair of neighboring words occurs within texts; words are lower case, without punctuation.
 using Bigrams = std::map<std::pair<std::string, std::string>, int>;
 
 /// How texts ask for things.

@@ -85,8 +85,9 @@ std::vector<Error> with_advice(const DataFolders& folders, std::vector<Error> er
     return (error.kind == Error::Kind::Parse || error.kind == Error::Kind::Schema) &&
            error.where.starts_with(data + "/");
   });
-  const bool told = std::any_of(errors.begin(), errors.end(), [&](const Error& error) { return error.where == data; });
-  if (unread && !told) {
+  const bool reported =
+      std::any_of(errors.begin(), errors.end(), [&](const Error& error) { return error.where == data; });
+  if (unread && !reported) {
     errors.push_back({Error::Kind::Usage,
                       data,
                       {},

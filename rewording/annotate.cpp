@@ -151,7 +151,7 @@ class Rewriting {
     std::size_t next = 0;
     for (const WordedTask& task : batch) {
       auto instruction = is_kept(task, options_) ? Result<Instruction>(instruction_of(task))
-                                                 : settled(task, std::move((*drafts)[next++]));
+                                                 : accepted_text(task, std::move((*drafts)[next++]));
       if (!instruction) return instruction.error();
       texts_.pass(task.record.layout);
       count(task, *instruction);
@@ -168,7 +168,7 @@ class Rewriting {
 
  private:
   /// The draft, or another text of the grammar's where the draft repeats a text of its home or misses the style.
-  Result<Instruction> settled(const WordedTask& task, Result<Instruction> draft) {
+  Result<Instruction> accepted_text(const WordedTask& task, Result<Instruction> draft) {
     const TaskRecord& record = task.record;
     const auto repeats = [&] { return texts_.contains(record.layout, draft->text); };
     const auto in_style = [&] { return draft->style == task.specification.style; };

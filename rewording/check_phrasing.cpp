@@ -4,6 +4,7 @@
 #include <string>
 
 #include "annotator/noun_table.h"
+#include "record/text_writer.h"
 #include "resources/own_phrasings.h"
 #include "templates/phrasing.h"
 
@@ -43,9 +44,9 @@ std::vector<Problem> check_phrasing(const TaskRecord& task, const Resources& res
   };
   const auto phrasings = phrasings_of_template(resources, task.template_name);
   const std::string said = "its instruction is recorded as phrasing " + std::to_string(task.phrasing);
-  if (task.writer != "grammar") return found(said + ", but " + task.writer + " wrote it");
+  if (text_writer_of(task.writer) != TextWriter::Grammar) return found(said + ", but " + task.writer + " wrote it");
   if (static_cast<std::size_t>(task.phrasing) > phrasings.size())
-    return found(said + ", of which its template has " + std::to_string(phrasings.size()));
+    return found(said + "; its template's phrasings: " + std::to_string(phrasings.size()));
   const std::string& phrasing = phrasings[static_cast<std::size_t>(task.phrasing) - 1];
   if (!has_in_order(tokens_of(task.instruction), own_words(phrasing)))
     return found(said + " of its template, which has other words: " + phrasing);

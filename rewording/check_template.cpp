@@ -59,7 +59,7 @@ std::vector<const Formula*> added_tests(const Formula& goal, const Formula& plai
 
 /// What is wrong with the name of a refinement that the generator added, as these tests; "" when nothing is.
 std::string refinement_fault(Referring refinement, const std::vector<const Formula*>& tests) {
-  if (tests.empty()) return "names a refinement, but its goal refers to objects by category alone";
+  if (tests.empty()) return "names a refinement, but its goal refers to objects only by category";
   const Referring form = tests.size() > 1 ? Referring::EachItsOwn : form_of(*tests.front());
   return form == refinement ? ""
                             : "has a goal that refers by another property than " + std::string(name_of(refinement));

@@ -10,6 +10,7 @@
 #include "annotator/word_check.h"
 #include "core/text.h"
 #include "dataset/configuration.h"
+#include "record/text_writer.h"
 
 namespace unietp {
 namespace {
@@ -39,9 +40,10 @@ std::vector<Problem> check_text(const StatedGoal& stated, const Backend& backend
 
   const auto form = form_faults(stated.text, specification);
   found(ProblemKind::TextForm, form);
-  if (stated.writer == "person:unchecked") return problems;  // somebody vouches for it, against the reader
-  const bool by_grammar = stated.writer == "grammar";
-  auto meaning = by_grammar || stated.writer == "person"
+  const auto writer = text_writer_of(stated.writer);
+  if (writer == TextWriter::UncheckedPerson) return problems;  // somebody vouches for it, against the reader
+  const bool by_grammar = writer == TextWriter::Grammar;
+  auto meaning = by_grammar || writer == TextWriter::Person
                      ? check_instruction(stated.text, specification, backend.knowledge, all, stated.home)
                      : saying_faults(stated.text, specification, nouns);
   std::erase_if(meaning,

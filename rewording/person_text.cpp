@@ -4,6 +4,7 @@
 #include "annotator/phenomena.h"
 #include "annotator/style.h"
 #include "annotator/word_check.h"
+#include "record/text_writer.h"
 
 namespace unietp {
 namespace {
@@ -13,7 +14,10 @@ constexpr const char* kUnchecked = "person:unchecked";
 
 }  // namespace
 
-bool by_person(std::string_view writer) { return writer == kPerson || writer == kUnchecked; }
+bool by_person(std::string_view writer) {
+  const auto known = text_writer_of(writer);
+  return known == TextWriter::Person || known == TextWriter::UncheckedPerson;
+}
 
 PersonText check_person_text(const std::string& text, const WordedTask& task, const Backend& backend,
                              const std::vector<std::string>& around) {

@@ -52,8 +52,8 @@ std::optional<Formula> referring_goal(const Formula& goal, const Scene& start, c
         Domain domain = of_category(variable.category);
         domain.where = {where};
         if (members_of(domain, variable.variable, trace).size() != 1) continue;
-        Formula told = with_domain(goal, variable, domain);
-        if (holds(told, trace)) return told;
+        Formula described = with_domain(goal, variable, domain);
+        if (holds(described, trace)) return described;
       }
     }
   }

@@ -32,8 +32,8 @@ std::vector<std::size_t> needed_by(const Template& source, Split split) {
     for (const Formula& start : source.init) {
       if (start.domain == of_category(parameter.name)) most = std::max(most, demanded_count(start));
     }
-    const bool told_apart = split == Split::InstanceGrounding && source.split != split && needed.empty();
-    needed.push_back(static_cast<std::size_t>(most + (told_apart ? 1 : 0)));
+    const bool distinguishable = split == Split::InstanceGrounding && source.split != split && needed.empty();
+    needed.push_back(static_cast<std::size_t>(most + (distinguishable ? 1 : 0)));
   }
   return needed;
 }

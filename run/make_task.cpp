@@ -112,10 +112,10 @@ std::variant<Specification, Rejection> specify(const Template& source, const Lay
     return why == RejectionReason::LacksFurniture || why == RejectionReason::LacksRoom;
   };
   auto specified = specify_once(source, layout, knowledge, planned, asked, sense_of, rng);
-  for (std::uint64_t i = 1, dear = 1; i < kLooks && dear < kBindings; ++i) {
+  for (std::uint64_t i = 1, costly = 1; i < kLooks && costly < kBindings; ++i) {
     const auto* why = std::get_if<Rejection>(&specified);
     if (why == nullptr || !another_binding_helps(why->reason)) break;
-    if (!is_lack(why->reason)) ++dear;
+    if (!is_lack(why->reason)) ++costly;
     const auto again = rng.fork("again", i);
     const auto binding = sample_binding(source, knowledge, layout.offer.categories, wishes, again.fork("binding", 0));
     specified = specify_once(source, layout, knowledge, binding, asked, sense_of, again);

@@ -10,7 +10,7 @@ namespace {
 
 using Table = std::vector<std::vector<int>>;
 
-/// Moves one unit of a row that has some left towards a column that lacks some, over cells that may give or take
+/// Moves one unit of a row that has some left toward a column that lacks some, over cells that may give or take
 /// (a breadth-first augmenting path of the bipartite flow); false when there is no way.
 bool augment(Table& table, const std::vector<std::vector<bool>>& allowed, std::size_t row, std::vector<int>& lacking) {
   const std::size_t rows = table.size(), columns = lacking.size();

@@ -149,7 +149,7 @@ constexpr std::array<ActionInfo, kActionCount> kActions{
     row(MoveHandForward, "move_hand_forward", None, Movement, "A", kHandMoving,
         "the held object moves away from the body"),
     row(MoveHandBackward, "move_hand_backward", None, Movement, "A", kHandMoving,
-        "the held object moves towards the body"),
+        "the held object moves toward the body"),
     row(MoveHandLeft, "move_hand_left", None, Movement, "A", kHandMoving, "the held object moves left"),
     row(MoveHandRight, "move_hand_right", None, Movement, "A", kHandMoving, "the held object moves right"),
     row(RotateHand, "rotate_hand", None, Movement, "A", kHandMoving, "the held object turns in the hand"),

@@ -8,7 +8,7 @@
 namespace unietp {
 
 /// How a category is built from solid parts: which cavities, surfaces, doors and lids it has. The geometry is made by
-/// simulation/shape. Object frame: origin at the centre of the bounding box, x to the right, y backwards (the front
+/// simulation/shape. Object frame: origin at the center of the bounding box, x to the right, y backwards (the front
 /// faces -y), z up.
 enum class Archetype : std::uint8_t {
   // furniture and fixtures

@@ -4,7 +4,7 @@
 
 namespace unietp {
 
-// The dimensions of the parts of each archetype (scene/archetype.h), from the full extents of an object: metres,
+// The dimensions of the parts of each archetype (scene/archetype.h), from the full extents of an object: meters,
 // width x, depth y, height z. simulation/shape builds solids of them, akb/fit works out what there is room for.
 
 inline constexpr double kOpenAbove_m = 2.0;     // clearance of a surface with nothing over it

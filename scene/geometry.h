@@ -11,7 +11,7 @@ using Vec2 = Eigen::Vector2d;     // meters, in a plan unless said otherwise
 using Vec3 = Eigen::Vector3d;     // meters, z up
 using Quat = Eigen::Quaterniond;  // a rotation of unit length, (w, x, y, z)
 
-/// Position in metres and unit rotation, object frame in world frame W (right-handed, z up) unless a name says else.
+/// Position in meters and unit rotation, object frame in world frame W (right-handed, z up) unless a name says else.
 struct Pose {
   Vec3 position = Vec3::Zero();
   Quat rotation = Quat::Identity();
@@ -45,12 +45,12 @@ Pose upright(const Vec3& position, double yaw);
 /// Angle of the pose's x axis about z, radians in (-pi, pi]; for upright poses.
 double yaw_of(const Pose& pose);
 
-/// Axis-aligned box in W, metres.
+/// Axis-aligned box in W, meters.
 struct Bounds {
   Vec3 low = Vec3::Zero(), high = Vec3::Zero();
   bool operator==(const Bounds& other) const { return low == other.low && high == other.high; }
 };
-/// The bounds of an oriented box with full extents `size` centred at `pose`.
+/// The bounds of an oriented box with full extents `size` centered at `pose`.
 inline Bounds bounds_of(const Pose& pose, const Vec3& size) {
   const Vec3 reach = pose.rotation.toRotationMatrix().cwiseAbs() * size / 2;
   return {pose.position - reach, pose.position + reach};
@@ -78,7 +78,7 @@ void each_crossing(const std::vector<Vec2>& polygon, double y, Visit visit) {
   }
 }
 
-/// True when the point lies in the polygon (counter-clockwise or clockwise, metres).
+/// True when the point lies in the polygon (counter-clockwise or clockwise, meters).
 bool contains(const std::vector<Vec2>& polygon, const Vec2& point);
 
 }  // namespace unietp

@@ -55,7 +55,7 @@ class JsonReader {
   std::size_t items(const JsonAt& at);
   /// The same, with an error for more than `most`.
   std::size_t items(const JsonAt& at, std::size_t most);
-  /// A vector in metres, each of whose numbers is within [-most, most].
+  /// A vector in meters, each of whose numbers is within [-most, most].
   Vec2 vec2_within(const JsonAt& at, double most);
   Vec3 vec3_within(const JsonAt& at, double most);
   /// An item of an array; `index` must be less than items(array), and `array` outlive the result.

@@ -130,7 +130,7 @@ bool has_symbol(Predicate predicate) {
 }
 
 bool is_node_state(Predicate predicate) {
-  // Colour and material have fields of their own.
+  // Color and material have fields of their own.
   if (has_symbol(predicate)) return predicate != Predicate::Colour && predicate != Predicate::Material;
   return info(predicate).arguments.size() == 1 && predicate != Predicate::Held;
 }

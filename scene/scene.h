@@ -18,7 +18,7 @@ namespace unietp {
 struct Room {
   std::string id;    // "kitchen_1"
   std::string type;  // lower case: "kitchen", "living_room", "bedroom", "bathroom", "dining_room", "corridor", …
-  std::vector<Vec2> polygon;  // counter-clockwise, metres
+  std::vector<Vec2> polygon;  // counter-clockwise, meters
   bool operator==(const Room&) const = default;
 };
 
@@ -33,7 +33,7 @@ struct Opening {
 
 /// A solid box of one particular object, in the object's frame with every joint closed.
 struct Board {
-  Vec3 centre = Vec3::Zero(), size = Vec3::Zero();  // full extents, metres, > 0
+  Vec3 centre = Vec3::Zero(), size = Vec3::Zero();  // full extents, meters, > 0
   int joint = -1;                                   // moves with this joint of the archetype; -1: with the body
   bool operator==(const Board&) const = default;
 };
@@ -45,9 +45,9 @@ struct Node {
   bool movable = false;
   Archetype archetype = Archetype::Box;
   bool openable = false;      // has a door, drawer or lid on a joint
-  Vec3 size = Vec3::Zero();   // full extents of the closed body's box in its own frame, metres, > 0
+  Vec3 size = Vec3::Zero();   // full extents of the closed body's box in its own frame, meters, > 0
   double mass = 0;            // kilograms
-  Pose pose;                  // centre of that box in W
+  Pose pose;                  // center of that box in W
   double opening = 0;         // joint position, 0 closed … 1 fully open
   std::vector<Board> boards;  // its own solids, in place of the archetype's; empty: as the archetype says
   StateSet states;
@@ -82,7 +82,7 @@ struct Scene {
   std::vector<Room> rooms;
   std::vector<Opening> openings;
   double wall_height = 2.6;
-  double wall_thickness = 0.1;  // centred on the edges of the rooms' polygons
+  double wall_thickness = 0.1;  // centered on the edges of the rooms' polygons
   SharedList<Node> nodes;
   EdgeSet edges;
   Agent agent;
@@ -97,7 +97,7 @@ Node* edit_node(Scene& scene, std::string_view id);
 const Room* find_room(const Scene& scene, std::string_view id);
 /// Whether the relation holds between the two, by their ids.
 bool has_edge(const Scene& scene, Predicate relation, std::string_view from, std::string_view to);
-/// The box around a room from its floor up to a height, metres.
+/// The box around a room from its floor up to a height, meters.
 Bounds room_bounds(const Room& room, double height);
 /// Room whose polygon holds the point, or nullptr.
 const Room* room_at(const Scene& scene, const Vec2& point);

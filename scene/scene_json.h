@@ -12,7 +12,7 @@
 
 namespace unietp {
 
-/// JSON with `"format": "unietp-scene/1"` as data/schemas/scene.schema.json says; lengths in metres. Numbers are
+/// JSON with `"format": "unietp-scene/1"` as data/schemas/scene.schema.json says; lengths in meters. Numbers are
 /// written so that they read back to the same bits, and equal scenes give equal bytes. Hence rotations are unit
 /// quaternions [w, x, y, z] and the agent's two angles radians, named `yaw_rad` and `pitch_rad`: not every angle in
 /// radians has a number of degrees that turns back into it. All numbers must be finite.

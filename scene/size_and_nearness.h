@@ -15,7 +15,7 @@ namespace unietp {
 /// every other has that many times its volume.
 inline constexpr double kClearlyLarger = 1.3;
 /// x is `nearest` to y when every other of x's category is further from y by this length and by this share of x's own
-/// distance, centre to centre.
+/// distance, center to center.
 inline constexpr double kClearlyNearer_m = 0.25, kClearlyNearer = 0.2;
 /// Whether a distance is shorter than another by both margins. Meters.
 bool clearly_nearer(double distance_m, double other_m);

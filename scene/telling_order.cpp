@@ -40,12 +40,12 @@ TellingOrder telling_order(const Scene& scene) {
 
 Scene in_telling_order(const Scene& scene) {
   const TellingOrder order = telling_order(scene);
-  Scene told = scene;
-  told.rooms.clear();
-  for (const std::size_t i : order.rooms) told.rooms.push_back(scene.rooms[i]);
-  told.nodes.clear();
-  for (const std::size_t i : order.nodes) told.nodes.push_back(scene.nodes[i]);
-  return told;
+  Scene listed = scene;
+  listed.rooms.clear();
+  for (const std::size_t i : order.rooms) listed.rooms.push_back(scene.rooms[i]);
+  listed.nodes.clear();
+  for (const std::size_t i : order.nodes) listed.nodes.push_back(scene.nodes[i]);
+  return listed;
 }
 
 }  // namespace unietp

@@ -32,7 +32,7 @@ inline constexpr EntityIndex kAgentEntity(0);
 
 /// Turns scenes of one episode into states of the logic, one after the other, over one growing list of entities: the
 /// agent, the rooms, then the nodes in order of first appearance. Also the facts that follow from others: a node's
-/// colour, material; `held`; and, only when asked for because the cost is quadratic, what comes of comparing things of
+/// color, material; `held`; and, only when asked for because the cost is quadratic, what comes of comparing things of
 /// one category: `size` (a thing without a second of its category has none) and `nearest`.
 class FactReader {
  public:

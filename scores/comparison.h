@@ -19,7 +19,7 @@ struct PairComparison {
   int tasks = 0;                        // that both have
   double difference = 0;                // success rate of the first less that of the second, on these tasks
   int only_first = 0, only_second = 0;  // tasks that one solved more often than the other
-  double p = 1;                         // of the test alone: McNemar's, or with repeats the sign-flip over homes
+  double p = 1;                         // of the test itself: McNemar's, or with repeats the sign-flip over homes
   double corrected = 1;                 // Holm's, over all pairs of the mode
   bool differ() const { return corrected < 0.05; }
 };

@@ -7,10 +7,10 @@
 
 namespace unietp {
 
-UnsettledScore score_episode(const EpisodeRecord& record, const ReplayedEpisode& replayed, const EnvironmentTask& task,
-                             bool held_out) {
-  UnsettledScore unsettled{{}, successful_actions(replayed)};
-  EpisodeScore& score = unsettled.score;
+PartialScore score_episode(const EpisodeRecord& record, const ReplayedEpisode& replayed, const EnvironmentTask& task,
+                           bool held_out) {
+  PartialScore partial{{}, successful_actions(replayed)};
+  EpisodeScore& score = partial.score;
   score.key = record.key;
   score.simulator = name_of(task.simulator);
   score.split = task.text.split;
@@ -43,14 +43,14 @@ UnsettledScore score_episode(const EpisodeRecord& record, const ReplayedEpisode&
   }
   score.missed_stop = missed_stop(record, replayed);
   for (const FailureClass& one : failure_classes(record, replayed, task)) score.classes.push_back(to_text(one));
-  return unsettled;
+  return partial;
 }
 
-EpisodeScore settled(UnsettledScore unsettled, std::optional<int> shortest) {
-  EpisodeScore score = std::move(unsettled.score);
+EpisodeScore finalize_score(PartialScore partial, std::optional<int> shortest) {
+  EpisodeScore score = std::move(partial.score);
   score.shortest = shortest;
   score.premature_stop =
-      score.end == EpisodeOutcome::Stop && !score.success && too_early(unsettled.successful_actions, shortest);
+      score.end == EpisodeOutcome::Stop && !score.success && too_early(partial.successful_actions, shortest);
   if (!score.premature_stop) return score;
   const auto place = std::find_if(score.classes.begin(), score.classes.end(), [](const std::string& text) {
     const auto one = failure_class_of(text);

@@ -39,18 +39,18 @@ struct EpisodeScore {
   bool errored() const { return end == EpisodeOutcome::Errored; }  // has no result of the policy's
 };
 
-/// An episode's score but for what the other episodes of its run have a say in: the shortest known plan, and with it
-/// whether the agent stopped too early.
-struct UnsettledScore {
+/// The part of an episode's score that does not depend on the other episodes of its run. They determine the shortest
+/// known plan, and with it whether the agent stopped too early.
+struct PartialScore {
   EpisodeScore score;          // its premature_stop, shortest and the class of a premature stop are still missing
   int successful_actions = 0;  // `stop` among them
-  bool operator==(const UnsettledScore&) const = default;
+  bool operator==(const PartialScore&) const = default;
 };
 /// `held_out` as above.
-UnsettledScore score_episode(const EpisodeRecord& record, const ReplayedEpisode& replayed, const EnvironmentTask& task,
-                             bool held_out);
-/// The whole score. `shortest` as above.
-EpisodeScore settled(UnsettledScore unsettled, std::optional<int> shortest);
+PartialScore score_episode(const EpisodeRecord& record, const ReplayedEpisode& replayed, const EnvironmentTask& task,
+                           bool held_out);
+/// Completes a partial score. `shortest` as above.
+EpisodeScore finalize_score(PartialScore partial, std::optional<int> shortest);
 
 /// A line without its line feed. Equal scores give equal bytes.
 std::string score_line(const EpisodeScore& score);

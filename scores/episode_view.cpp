@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kTextShown = 4000, kToldShown = 1500;  // bytes of a text
+constexpr std::size_t kTextShown = 4000, kObservationShown = 1500;  // bytes of a text
 
 /// At most so many bytes, and no half a character.
 std::string cut(const std::string& text, std::size_t most) {
@@ -64,7 +64,7 @@ Json step_view(const EpisodeStep& step, const ReplayedStep& replayed, bool boxes
           {"unreadable", replayed.unreadable},
           {"seen", std::move(seen)},
           {"acts", std::move(acts)},
-          {"told", cut(replayed.told, kToldShown)}};
+          {"told", cut(replayed.observation, kObservationShown)}};
 }
 
 }  // namespace
@@ -95,7 +95,7 @@ Json episode_view(const EpisodeRecord& record, const ReplayedEpisode& replayed, 
             {"goal", std::move(goal)},
             {"parts", std::move(parts)},
             {"met", bits(replayed.parts_at_start)},
-            {"told", cut(replayed.first_told, kToldShown)},
+            {"told", cut(replayed.first_observation, kObservationShown)},
             {"steps", std::move(steps)},
             {"expert", std::move(way)},
             {"width", camera.image_width},

@@ -140,14 +140,14 @@ class Rules {
       const ActionClass group = info(*type).group;
       if (group != ActionClass::Manipulation && group != ActionClass::Composite) continue;
       const std::string& id = done.action->object;
-      bool is_meant = false, is_alike = false;
+      bool is_referent = false, is_alike = false;
       for (const GoalObjects& objects : objects_) {
-        is_meant = is_meant || objects.meant.contains(id);
+        is_referent = is_referent || objects.referents.contains(id);
         is_alike = is_alike || objects.alike.contains(id);
       }
-      instance = instance || (is_alike && !is_meant);
-      right = right || (is_meant && *type != ActionType::PlaceOn && *type != ActionType::PlaceIn);
-      other = other || (takes && !is_meant && !is_alike);
+      instance = instance || (is_alike && !is_referent);
+      right = right || (is_referent && *type != ActionType::PlaceOn && *type != ActionType::PlaceIn);
+      other = other || (takes && !is_referent && !is_alike);
     }
     std::vector<std::string> kinds;
     if (instance) kinds.emplace_back("wrong_instance");

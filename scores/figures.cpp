@@ -9,7 +9,7 @@
 namespace unietp {
 namespace {
 
-/// Every interval draws from the same stream, so that it depends on its episodes alone.
+/// Every interval draws from the same stream, so that it depends only on its episodes.
 constexpr std::uint64_t kBootstrapSeed = 1;
 
 Interval interval_of(const Episodes& episodes, const Figures& figures, bool repeated) {

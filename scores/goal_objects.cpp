@@ -18,15 +18,15 @@ void collect(const Formula& formula, const Trace& start, std::vector<GoalObjects
     if (outer.empty()) {
       GoalObjects objects;
       for (const EntityIndex entity : members_of(formula.domain, formula.variable, start)) {
-        if (start.entities[entity].kind == Entity::Kind::Object) objects.meant.insert(start.entities[entity].id);
+        if (start.entities[entity].kind == Entity::Kind::Object) objects.referents.insert(start.entities[entity].id);
       }
       Domain whole = formula.domain;
       whole.where.clear();
       for (const EntityIndex entity : members_of(whole, formula.variable, start)) {
         const Entity& one = start.entities[entity];
-        if (one.kind == Entity::Kind::Object && !objects.meant.contains(one.id)) objects.alike.insert(one.id);
+        if (one.kind == Entity::Kind::Object && !objects.referents.contains(one.id)) objects.alike.insert(one.id);
       }
-      if (!objects.meant.empty()) found.push_back(std::move(objects));
+      if (!objects.referents.empty()) found.push_back(std::move(objects));
     }
   }
   for (const Formula& child : formula.children) collect(child, start, found);

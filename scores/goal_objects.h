@@ -12,8 +12,8 @@ namespace unietp {
 
 /// Things that a quantifier of a goal ranges over, at the start of the task.
 struct GoalObjects {
-  std::set<std::string, std::less<>> meant;  // ids of its domain
-  std::set<std::string, std::less<>> alike;  // of the same categories, but excluded by its `:where`
+  std::set<std::string, std::less<>> referents;  // ids of its domain
+  std::set<std::string, std::less<>> alike;      // of the same categories, but excluded by its `:where`
 };
 
 /// For each quantifier over objects of the goal whose domain does not depend on another variable, in order of text.

@@ -17,7 +17,7 @@ struct JudgingData {
 
 /// What an episode amounts to by itself.
 struct JudgedEpisode {
-  UnsettledScore score;
+  PartialScore score;
   std::string view;  // episode_view as JSON in one line
 };
 

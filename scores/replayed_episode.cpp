@@ -94,17 +94,18 @@ struct EpisodeFollower::State {
 
   /// Strikes out what is in the picture now. What the agent is told is looked at first, since it is there already.
   void show(const Environment& now) {
-    const auto& told = now.observe().boxes;
-    const auto is_told = [&](const std::string& id) {
-      if (!told) return false;
+    const auto& boxes = now.observe().boxes;
+    const auto has_box = [&](const std::string& id) {
+      if (!boxes) return false;
       const auto place =
-          std::lower_bound(told->begin(), told->end(), id,
+          std::lower_bound(boxes->begin(), boxes->end(), id,
                            [](const ObservedObject& object, const auto& name) { return object.id < name; });
-      return place != told->end() && place->id == id;
+      return place != boxes->end() && place->id == id;
     };
     std::erase_if(unseen, [&](const GoalObjects& wanted) {
-      return std::any_of(wanted.meant.begin(), wanted.meant.end(), is_told) ||
-             std::any_of(wanted.meant.begin(), wanted.meant.end(), [&](const auto& id) { return now.pictures(id); });
+      return std::any_of(wanted.referents.begin(), wanted.referents.end(), has_box) ||
+             std::any_of(wanted.referents.begin(), wanted.referents.end(),
+                         [&](const auto& id) { return now.pictures(id); });
     });
   }
 
@@ -125,7 +126,7 @@ EpisodeFollower::EpisodeFollower(const Environment& start, bool keeps_views)
   episode.parts = state_->monitors.parts();
   episode.parts_at_start = state_->monitors.met();
   episode.start_progress = start.progress();
-  episode.first_told = start.text();
+  episode.first_observation = start.text();
 }
 
 void EpisodeFollower::begin_reply(const Environment& now) {
@@ -160,7 +161,7 @@ void EpisodeFollower::acted(const StepResult& result, const Environment& now) {
 void EpisodeFollower::end_reply(const std::string& unreadable, const Environment& now) {
   ReplayedStep& step = state_->episode.steps.back();
   step.unreadable = unreadable;
-  step.told = now.text();
+  step.observation = now.text();
 }
 
 ReplayedEpisode EpisodeFollower::finish(const Environment& last) && {

@@ -28,7 +28,7 @@ struct ReplayedStep {
   std::vector<VisibleObject> pictured;  // sorted by id; empty where views are not kept
   std::string unreadable;               // what was expected of a reply that could not be read
   std::vector<ReplayedAction> actions;
-  std::string told;  // the observation afterwards, in words
+  std::string observation;  // the observation afterwards, in words
 };
 
 /// All that follows from the replies of an episode, its task and its settings.
@@ -42,7 +42,7 @@ struct ReplayedEpisode {
   std::vector<bool> parts_lost;      // of those not met at the end: which order or constraint was lost
   std::vector<ReplayedStep> steps;   // fewer than the record's where the episode was over before
   bool targets_shown = false;        // of all goal_objects one that is meant was in a picture, the last included
-  std::string first_told;            // the observation at the start, in words
+  std::string first_observation;     // the observation at the start, in words
 };
 
 /// Gathers all this while the replies are executed, by a run or again: for each reply `begin_reply`, for each of its

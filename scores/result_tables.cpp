@@ -122,9 +122,10 @@ ResultTable feedback_table(const Shown& shown, const std::vector<Mode>& modes) {
   for (std::size_t run = 0; run < shown.runs.size(); ++run) {
     const auto& settings = shown.runs[run].manifest.setup.settings;
     const auto of = settings.find(modes.front());
-    const Feedback told = of == settings.end() ? Feedback::Full : of->second.feedback;
+    const Feedback feedback = of == settings.end() ? Feedback::Full : of->second.feedback;
     const auto mark = [](bool yes) { return ResultCell{yes ? "✓" : "✗", "", "", false}; };
-    table.rows[run].insert(table.rows[run].begin() + 1, {mark(told != Feedback::None), mark(told == Feedback::Full)});
+    table.rows[run].insert(table.rows[run].begin() + 1,
+                           {mark(feedback != Feedback::None), mark(feedback == Feedback::Full)});
   }
   return table;
 }

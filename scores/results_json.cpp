@@ -152,12 +152,16 @@ std::string lm_eval_json(const ScoredRun& run) {
       parts.push_back(task);
     }
   }
-  const Json json{
-      {"results", std::move(results)},   {"group_subtasks", std::move(groups)},
-      {"configs", std::move(configs)},   {"versions", std::move(versions)},
-      {"n-shot", std::move(shots)},      {"higher_is_better", std::move(better)},
-      {"n-samples", std::move(samples)}, {"config", {{"model", setup.agent.kind}, {"model_args", setup.agent.name}}},
-      {"model_name", setup.agent.name},  {"unietp_version", setup.program_version}};
+  const Json json{{"results", std::move(results)},
+                  {"group_subtasks", std::move(groups)},
+                  {"configs", std::move(configs)},
+                  {"versions", std::move(versions)},
+                  {"n-shot", std::move(shots)},
+                  {"higher_is_better", std::move(better)},
+                  {"n-samples", std::move(samples)},
+                  {"config", {{"model", name_of(setup.agent.kind)}, {"model_args", setup.agent.name}}},
+                  {"model_name", setup.agent.name},
+                  {"unietp_version", setup.program_version}};
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -122,7 +122,7 @@ struct Scorer {
       if (!again) return again.error();
       judged = std::move(*again);
     }
-    scored.score = settled(std::move(judged->score), shortest_plan(record.key, **task, outline));
+    scored.score = finalize_score(std::move(judged->score), shortest_plan(record.key, **task, outline));
     scored.view = std::move(judged->view);
     return scored;
   }

@@ -210,7 +210,7 @@ std::string_view CommonSense::why(const Thing& thing, const Role& role) const {
     if (kinds_.lineage(kind->name).size() > 2 && counts_.contains({kind->name, role})) return "written";
     judged = judged || judgments_.contains({kind->name, role});
   }
-  return judged ? "judged" : "unspoken";
+  return judged ? "judged" : kUnspoken;
 }
 
 Sense CommonSense::beside(const Thing& thing, const Role& role, const std::string& other) const {

@@ -26,11 +26,13 @@ struct Sense {
   std::vector<std::string> reasons;
   std::string why = {};  // the same in a word: one of kWhys, or "rule:" and the rule's name
 };
+/// Of a grade that rests on nothing.
+inline constexpr std::string_view kUnspoken = "unspoken";
 /// What a grade rests on: a person's judgment of the kind or a wider one, what people wrote of it, that two things have
 /// a place in common, that two wants have nothing to do with one another, that a thing is dirty, that something is
 /// taken away from where it is, that the names of two things may mean the same one, or nothing.
 inline constexpr std::array<std::string_view, 8> kWhys{"judged", "written", "shared",   "apart",
-                                                       "dirty",  "cleared", "one_name", "unspoken"};
+                                                       "dirty",  "cleared", "one_name", kUnspoken};
 /// The worse of two; the reasons of both when they are equal.
 Sense worse_of(Sense a, Sense b);
 

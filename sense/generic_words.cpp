@@ -19,13 +19,13 @@ bool GenericWords::contains(std::string_view name) const { return names_.contain
 GenericWords read_generic_words(const std::filesystem::path& path, const Kinds& kinds, std::vector<Error>& errors) {
   std::map<std::string, std::vector<std::string>, std::less<>> names;
   each_row(path, {"words", "kinds", "source"}, errors, [&](RowReader& row) {
-    const auto meant = row.list("kinds");
-    if (meant.empty()) row.fail("kinds", "expected kinds of kinds.csv");
-    for (const auto& kind : meant) {
+    const auto covered = row.list("kinds");
+    if (covered.empty()) row.fail("kinds", "expected kinds of kinds.csv");
+    for (const auto& kind : covered) {
       if (kinds.find(kind) == nullptr) row.fail("kinds", "'" + kind + "' is not a kind of kinds.csv");
     }
     for (const auto& word : split(row.required("words"), '|')) {
-      if (!names.try_emplace(word, meant).second) row.fail("words", "'" + word + "' stands twice");
+      if (!names.try_emplace(word, covered).second) row.fail("words", "'" + word + "' stands twice");
     }
     row.required("source");
   });

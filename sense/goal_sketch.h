@@ -18,7 +18,7 @@ struct SenseTables {
 };
 
 /// The grades of pieces of goals on one simulator, each worked out when it is first asked for: what people make of a
-/// piece depends on the kinds of its things alone, and there are far fewer kinds than categories. Remembering changes
+/// piece depends only on the kinds of its things, and there are far fewer kinds than categories. Remembering changes
 /// no answer. Thread-safe; a copy shares what is remembered.
 class PieceGrades {
  public:

@@ -20,7 +20,8 @@ Thing thing_of(const std::string& category, const Knowledge& knowledge, const Co
 }
 
 Sense graded(const Thing& thing, Predicate relation, const Thing& place, const CommonSense& sense) {
-  if (thing.kind.empty() || place.kind.empty()) return {Grade::Tolerable, 0, {"a category has no kind"}, "unspoken"};
+  if (thing.kind.empty() || place.kind.empty())
+    return {Grade::Tolerable, 0, {"a category has no kind"}, std::string(kUnspoken)};
   const bool held = relation == Predicate::On || relation == Predicate::Inside;
   if (held && !sense.special_places().may_hold(place.words, thing.kind, sense.kinds()))
     return {Grade::Senseless, 0, {"rule special-place: the place is made for other things"}, "rule:special-place"};
@@ -70,7 +71,7 @@ bool is_absurd(const CommonSense& sense, Simulator simulator, const Category& ob
       relation == Predicate::Inside && thing.kind == place.kind;  // a plaster, a first-aid kit
   if (case_of_its_kind) return false;
   const auto own = graded(thing, relation, place, sense);
-  const bool nobody_judged = object.movable && thing.kind == kOutside && own.why == "unspoken";
+  const bool nobody_judged = object.movable && thing.kind == kOutside && own.why == kUnspoken;
   return own.grade == Grade::Senseless && !nobody_judged;
 }
 

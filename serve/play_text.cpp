@@ -42,9 +42,10 @@ std::string results_text(const Json& observation) {
   std::string text;
   for (const auto& result : observation.value("results", Json::array())) {
     text += for_terminal(result.value("action", ""));
-    const bool is_told = result.contains("success");
-    if (is_told && result["success"].get<bool>()) text += ": done";
-    if (is_told && !result["success"].get<bool>()) text += ": failed. " + for_terminal(result.value("feedback", ""));
+    const bool has_outcome = result.contains("success");
+    if (has_outcome && result["success"].get<bool>()) text += ": done";
+    if (has_outcome && !result["success"].get<bool>())
+      text += ": failed. " + for_terminal(result.value("feedback", ""));
     text += "\n";
   }
   return text;

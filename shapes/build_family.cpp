@@ -170,7 +170,7 @@ class Builder {
     return coat;
   }
 
-  /// Adds a piece whose own frame has these axes and centre in the family's box.
+  /// Adds a piece whose own frame has these axes and center in the family's box.
   void put(const ShapePart& part, PieceKind kind, const Matrix& axes, const Vec3& centre, const Vec2& low,
            const Vec2& high, const Frame& frame, const Coat& coat) {
     if (pieces.size() >= limits::kShapePieces) return;

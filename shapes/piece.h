@@ -11,7 +11,7 @@ namespace unietp {
 /// The solids that shapes are made of. Each fills the cube from -1 to 1 of its own frame, or less of it by `low` and
 /// `high`. All but the hollow ones are convex.
 enum class PieceKind : std::uint8_t {
-  Block,  // a box, narrowed towards an end along x and y
+  Block,  // a box, narrowed toward an end along x and y
   Drum,   // an upright cylinder or cone
   Ball,
   Cup,    // a drum with a hollow that is open above

@@ -21,7 +21,7 @@ std::optional<BodyMove> move_of(ActionType type);
 /// The agent after a move in a straight line; nullopt when the floor is not free or the camera is at its limit.
 std::optional<Agent> moved(const Agent& agent, const BodyMove& move, const NavigationGrid& grid,
                            const Profile& profile);
-/// The agent turned, and its camera tilted, towards a point in W.
+/// The agent turned, and its camera tilted, toward a point in W.
 Agent facing(Agent agent, const Vec3& point, const Profile& profile);
 
 }  // namespace unietp

@@ -87,7 +87,7 @@ CellSet CellSet::connected_to(int x, int y) const {
   if (!has(x, y)) return found;
   found.set(x, y, true);
   std::vector<Stretch> fresh(
-      static_cast<std::size_t>(height_));  // by row: words that have not been spread to the neighbouring rows
+      static_cast<std::size_t>(height_));  // by row: words that have not been spread to the neighboring rows
   fresh[static_cast<std::size_t>(y)].take_in(static_cast<std::size_t>(x) / kWord);
   std::vector<int> due{y};  // rows with fresh words
   while (!due.empty()) {

@@ -15,7 +15,7 @@ struct Contrast {
 inline constexpr double kClearDifference = 24;  // of 255
 /// Two looks of a thing are told apart by a mean of 6 of 255, or where a twentieth of its pixels differ clearly.
 inline constexpr double kLeastMean = 6, kLeastClear = 0.05;
-inline bool told_apart(const Contrast& contrast) {
+inline bool distinguishable(const Contrast& contrast) {
   return contrast.mean >= kLeastMean || contrast.clear >= kLeastClear;
 }
 

@@ -18,7 +18,7 @@ inline bool meet(const PixelBox& a, const PixelBox& b) {
 struct PartCoverage {
   bool any = true;                        // false: certainly no pixel
   bool whole = true;                      // true: certainly every pixel
-  double nearest = 0, farthest = kNever;  // depth range of the visible part, metres
+  double nearest = 0, farthest = kNever;  // depth range of the visible part, meters
 };
 
 /// `middles`: those of the part's pixels. `fills`: the solid is known to cover every pixel.

@@ -17,7 +17,7 @@ class DistanceField {
 
   static constexpr std::int32_t kAny = std::numeric_limits<std::int32_t>::max();
 
-  /// The fewest steps (to the four neighbours, over free cells) to a cell of a rectangle, both corners included, which
+  /// The fewest steps (to the four neighbors, over free cells) to a cell of a rectangle, both corners included, which
   /// may lie in part outside of the grid; -1 when no cell can be reached within `most`. Distances end at 65,534 steps,
   /// 6.5 km.
   std::int32_t fewest_to(NavigationGrid::Cell low, NavigationGrid::Cell high, std::int32_t most = kAny);

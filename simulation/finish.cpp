@@ -8,7 +8,7 @@
 namespace unietp {
 namespace {
 
-/// How much of a pattern with this many lines a metre can be seen: less, the nearer a line is to a pixel's width.
+/// How much of a pattern with this many lines a meter can be seen: less, the nearer a line is to a pixel's width.
 double seen(const SurfacePoint& point, double lines) { return std::clamp(1.6 - 3 * lines * point.pixel_m, 0.0, 1.0); }
 
 /// The longest side of the body that lies in the face of the point: an axis.
@@ -43,7 +43,7 @@ void metal(const Look& look, const SurfacePoint& point, Finish& finish) {
 
 /// Threads over and under each other.
 void fabric(const SurfacePoint& point, Finish& finish) {
-  constexpr double kThreads = 130;  // a metre
+  constexpr double kThreads = 130;  // a meter
   const Vec3 thread = kThreads * point.at;
   const double weave = wave(thread.x() + thread.z()) * 0.5 + wave(thread.y() - thread.z()) * 0.5;
   finish.colour *= 1 - 0.26 * seen(point, kThreads) * weave;

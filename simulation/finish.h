@@ -12,8 +12,8 @@ struct Look {
   Matter matter = Matter::Plain;
   Device device = Device::None;
   std::uint32_t seed = 0;
-  Vec3 half = Vec3::Zero();  // half extents of the body, metres
-  double grain = 1;          // stains and frost a metre: more on small things
+  Vec3 half = Vec3::Zero();  // half extents of the body, meters
+  double grain = 1;          // stains and frost a meter: more on small things
   bool on = false, dirty = false, soaked = false, hot = false, cool = false, cooked = false, burnt = false;
   bool frozen = false, cut = false, used_up = false, broken = false, folded = false, unfolded = false;
   bool folds_up = false;                // two slabs on a hinge
@@ -31,12 +31,12 @@ bool is_window(const Node& node);
 
 /// A point of an object's surface.
 struct SurfacePoint {
-  Vec3 at = Vec3::Zero();      // object frame, metres; of doors and lids: their own frame
+  Vec3 at = Vec3::Zero();      // object frame, meters; of doors and lids: their own frame
   Vec3 normal = Vec3::Zero();  // in the same frame, unit
   Vec3 inner = Vec3::Zero();   // in parts of the half extents of its solid, each in [-1, 1]
   Skin skin = Skin::Body;
   bool moves = false;  // of a door, lid or drawer
-  double pixel_m = 0;  // what one pixel covers, metres: finer patterns are left out
+  double pixel_m = 0;  // what one pixel covers, meters: finer patterns are left out
 };
 
 /// What light does at a point.

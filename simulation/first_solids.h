@@ -12,7 +12,7 @@ namespace unietp {
 /// Where the ray through the middle of a pixel enters the first solid on its way.
 struct PixelHit {
   std::int32_t solid = -1;                                 // position in the list; -1: none
-  double depth = std::numeric_limits<double>::infinity();  // metres along the view direction
+  double depth = std::numeric_limits<double>::infinity();  // meters along the view direction
   Vec3 normal = Vec3::UnitZ();                             // outwards, unit, W
 };
 

@@ -17,7 +17,7 @@ struct FloorFootprint {
   }
 };
 
-/// Metres from the rectangle; 0 inside.
+/// Meters from the rectangle; 0 inside.
 double distance_to(const FloorFootprint& shadow, const Vec2& point);
 /// Whether a disc of that radius around the point meets one of them.
 bool within(const std::vector<FloorFootprint>& shadows, const Vec2& at, double radius);

@@ -14,7 +14,7 @@ struct LightSource {
   double strength = 0;         // at its middle, as a share of daylight
   const Room* room = nullptr;  // lights this room alone; nullptr: everything near
 };
-/// Of the nodes that are on, up to `farthest` metres from the camera.
+/// Of the nodes that are on, up to `farthest` meters from the camera.
 std::vector<LightSource> light_sources(const Scene& scene, const std::vector<Look>& looks, const Camera& camera,
                                        double farthest);
 /// Light at a point, of each color as a share of daylight.
@@ -23,7 +23,7 @@ Vec3 light_of(const std::vector<LightSource>& sources, const Vec3& at, const Vec
 /// A soft ball of steam or light in front of what is behind it.
 struct Puff {
   Vec3 at = Vec3::Zero();  // W
-  double radius = 0;       // metres
+  double radius = 0;       // meters
   Colour colour = Colour::Zero();
   double strength = 0;  // share of the color in the middle
 };

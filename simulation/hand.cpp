@@ -11,7 +11,7 @@ constexpr std::size_t kMostHidden =
     200;                               // free spots that are postponed because the object could not be picked up there
 constexpr double kTouching_m = 0.003;  // bodies nearer than this may support one another
 constexpr double kSunk_m = 0.003;      // resting contacts sink by up to this much
-constexpr double kKnocked_m = 0.05;    // neighbours that move farther than this have been knocked over
+constexpr double kKnocked_m = 0.05;    // neighbors that move farther than this have been knocked over
 
 Bounds group_bounds(const WorldState& state, const std::vector<std::size_t>& group) {
   Bounds all = state.physics().bounds(BodyId::node(group.front()));
@@ -52,7 +52,7 @@ double apply(WorldState& state, const Settled& settled, const std::vector<BodyId
 
 struct FreeSpot {
   Pose pose;      // of the object, W
-  double effort;  // metres
+  double effort;  // meters
 };
 
 struct Spots {

@@ -36,7 +36,8 @@ bool ModeEpisode::was_seen(std::string_view id) const {
 }
 
 const std::string* ModeEpisode::best_match(const PixelBox& box) const {
-  if (const std::string* meant = world_.meant_by(box)) return meant;  // none overlaps more, nor as much before it
+  if (const std::string* object = world_.object_of_box(box))
+    return object;  // none overlaps more, nor as much before it
   const std::string* best = nullptr;
   double most = kLeastOverlap;
   for (const VisibleObject& object : world_.pictured()) {
@@ -144,7 +145,7 @@ std::optional<Command> ModeEpisode::command_for(const Action& action) const {
   Command command = by_ids(action);
   for (Argument& argument : command.args) {
     if (naming_of(about, rules_) != Naming::Box || !refusal_of(about, argument.id)) continue;
-    const auto& box = world_.box_meaning(argument.id);
+    const auto& box = world_.unique_box(argument.id);
     if (!box) return std::nullopt;
     argument = {"", *box};
   }

@@ -21,7 +21,7 @@ enum class Teleport : std::uint8_t { Nothing, Rooms, Furniture, Anything };
 /// How actions of a class name their object: not at all (the class is not offered), by id, or by a box in the picture.
 enum class Naming : std::uint8_t { None, Id, Box };
 
-/// What an agent is told and may do: the columns of the paper's table of modes, each of which can be set alone.
+/// What an agent is told and may do: the columns of the paper's table of modes, each of which can be set separately.
 struct ModeRules {
   Mode mode = Mode::M1;  // the preset that it began as; refusals name it ("M3 does not offer fill_with.")
 

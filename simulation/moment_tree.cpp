@@ -113,7 +113,7 @@ bool MomentTree::shows(MomentId moment, std::string_view id) {
   return known->second;
 }
 
-const std::optional<PixelBox>& MomentTree::box_meaning(MomentId moment, std::string_view id) {
+const std::optional<PixelBox>& MomentTree::unique_box(MomentId moment, std::string_view id) {
   const auto [known, fresh] = moments_[moment.index()].boxes.try_emplace(std::string(id));
   if (!fresh) return known->second;
   const WorldState& state = at(moment);
@@ -122,7 +122,7 @@ const std::optional<PixelBox>& MomentTree::box_meaning(MomentId moment, std::str
   return known->second;
 }
 
-const std::string* MomentTree::meant_by(MomentId moment, const PixelBox& box) const {
+const std::string* MomentTree::object_of_box(MomentId moment, const PixelBox& box) const {
   for (const auto& [id, meaning] : moments_[moment.index()].boxes) {
     if (meaning == box) return &id;
   }

@@ -38,11 +38,11 @@ class MomentTree {
   const std::vector<VisibleObject>& visible(MomentId moment, double sight_m);
   /// Whether the object is visible within the profile's limit of sight.
   bool shows(MomentId moment, std::string_view id);
-  /// Of the objects in the picture, without a limit of sight, that have just this box, the one with the least id is
-  /// meant by it. `box_meaning`: the box by which an object is meant so; nullopt where there is none. `meant_by`: the
-  /// object, of those that `box_meaning` was asked for; nullptr.
-  const std::optional<PixelBox>& box_meaning(MomentId moment, std::string_view id);
-  const std::string* meant_by(MomentId moment, const PixelBox& box) const;
+  /// Where several objects in the picture have the same box, without a limit of sight, the box stands for the one with
+  /// the smallest id. `unique_box`: the box that stands for an object; nullopt where there is none. `object_of_box`:
+  /// the object that a box stands for, of those whose `unique_box` was asked for; nullptr where there is none.
+  const std::optional<PixelBox>& unique_box(MomentId moment, std::string_view id);
+  const std::string* object_of_box(MomentId moment, const PixelBox& box) const;
   /// Renders views of the current state.
   Viewer& viewer() { return viewer_; }
 
@@ -54,7 +54,7 @@ class MomentTree {
     Digest digest;
     bool stopped = false;
     std::unordered_map<std::string, Step> steps;                        // by the action's text
-    std::unordered_map<double, std::vector<VisibleObject>> visible;     // by limit of sight, metres
+    std::unordered_map<double, std::vector<VisibleObject>> visible;     // by limit of sight, meters
     std::unordered_map<std::string, bool> shown;                        // by id; only those that were asked for
     std::map<std::string, std::optional<PixelBox>, std::less<>> boxes;  // by the id that they mean; likewise
   };

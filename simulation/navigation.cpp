@@ -149,7 +149,7 @@ std::optional<NavigationGrid::Cell> NavigationGrid::nearest_free(const Vec2& poi
   };
   const int farthest = std::max({middle.x, middle.y, width_ - 1 - middle.x, height_ - 1 - middle.y});
   for (int ring = 0; ring <= farthest; ++ring) {
-    const double least = (ring - 0.5) * kCell_m;  // from the point to the centre of a cell of this ring
+    const double least = (ring - 0.5) * kCell_m;  // from the point to the center of a cell of this ring
     if (best && ring > 0 && least * least > best_distance) break;
     for (int y = std::max(0, middle.y - ring); y <= std::min(height_ - 1, middle.y + ring); ++y) {
       const bool whole_row = std::abs(y - middle.y) == ring;

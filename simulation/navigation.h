@@ -16,7 +16,7 @@
 namespace unietp {
 
 /// Where a body of the profile's radius can stand: a grid of kCell_m over the rooms' bounds. A cell is free when a disc
-/// of the body's radius around its centre meets no wall and no solid between 5 cm and the body's height.
+/// of the body's radius around its center meets no wall and no solid between 5 cm and the body's height.
 class NavigationGrid {
  public:
   static constexpr double kCell_m = 0.1;
@@ -43,7 +43,7 @@ class NavigationGrid {
   int width() const { return width_; }  // cells
   int height() const { return height_; }
 
-  /// The cells that the body can walk to by steps to the four neighbours, `from` included; empty when `from` is not
+  /// The cells that the body can walk to by steps to the four neighbors, `from` included; empty when `from` is not
   /// free.
   CellSet reached_from(Cell from) const { return free_.connected_to(from.x, from.y); }
   /// The same, faster for a grid that differs little from `before`; `reached`: the cells reached from `from` there.

@@ -50,7 +50,7 @@ struct Outline {
       : owner(solid.owner), clear(solid.clear), target(solid), from(target.to_own * (camera.at - target.centre)) {}
 
   PixelBox cover{};                  // bounds of the pixels that it may cover
-  double nearest = 0, farthest = 0;  // depth, metres
+  double nearest = 0, farthest = 0;  // depth, meters
   std::int32_t owner;
   bool clear;          // hides nothing
   bool round = false;  // no box: sides and faces are those of the box around it

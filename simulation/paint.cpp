@@ -48,7 +48,7 @@ bool has_colour(Matter matter) {
   }
 }
 
-/// Default colour of furniture by archetype.
+/// Default color of furniture by archetype.
 Colour plain_paint(const Node& node) {
   switch (node.archetype) {
     case Archetype::Table:

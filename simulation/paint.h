@@ -10,7 +10,7 @@ namespace unietp {
 /// Red, green and blue, 0 to 255, before shading.
 using Colour = Vec3;
 
-/// A node's colour: its own if known, else that of a material that has one color, else a usual one of its shape, else
+/// A node's color: its own if known, else that of a material that has one color, else a usual one of its shape, else
 /// that of its material or archetype; slightly varied by id.
 Colour paint_of(const Node& node, const ShapeFamily* family = nullptr);
 /// Of the node's material; where that is not known, that of its shape, or what things of its archetype or with its

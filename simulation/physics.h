@@ -17,7 +17,7 @@ namespace unietp {
 struct Contact {
   BodyId other;
   Vec3 normal = Vec3::UnitZ();  // from the other body to this one, W
-  double gap = 0;               // metres, negative when they overlap
+  double gap = 0;               // meters, negative when they overlap
 };
 
 /// The first body that a ray meets.
@@ -74,7 +74,7 @@ class PhysicsWorld {
   /// The collider of a body that the world has.
   const Collider& collider(BodyId id) const;
   std::shared_ptr<const Collider> share(BodyId id) const;
-  /// The first body (lowest id) that a collider or shape at a pose would overlap by more than `depth` metres; `ignore`
+  /// The first body (lowest id) that a collider or shape at a pose would overlap by more than `depth` meters; `ignore`
   /// are left out.
   std::optional<BodyId> overlap(const Collider& collider, const Pose& pose, std::span<const BodyId> ignore,
                                 double depth = 0.0) const;

@@ -315,7 +315,7 @@ class Painter {
   std::vector<Daylight> windows_;
   std::vector<PixelHit> spots_;
   std::vector<Eigen::Vector3f> lights_;
-  const Room* room_ = nullptr;  // of the last floor pixel; neighbouring ones are mostly in the same
+  const Room* room_ = nullptr;  // of the last floor pixel; neighboring ones are mostly in the same
 };
 
 std::vector<std::size_t> hidden_in(const ViewedScene& viewed) {

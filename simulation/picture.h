@@ -19,7 +19,7 @@ struct Picture {
   std::vector<std::uint8_t> rgb;
 };
 
-/// What the agent sees: every object in its colour, or that of its material, lit from above with short shadows, with
+/// What the agent sees: every object in its color, or that of its material, lit from above with short shadows, with
 /// dark edges. Each pixel shows what the ray through its middle meets, as boxes, segmentation and channels have it, but
 /// that what the agent holds is in the lower corners. Deterministic.
 Picture picture_of(const Scene& scene, const Profile& profile, Rays& rays);

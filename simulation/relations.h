@@ -33,8 +33,8 @@ Edge edge_of(const Scene& scene, std::size_t from, const Link& link);
 inline bool carries(const Link& link) { return link.relation == Predicate::On || link.relation == Predicate::Inside; }
 
 /// The links of one node, read from physics, sorted: on (contact from above: the contact's normal leans less than 45°
-/// from straight up, and not inside it), inside (the box's lowest part and the centre's footprint lie in the cavity;
-/// true of every enclosing cavity), on_floor (contact with the floor), in_room (floor polygon under the centre), under,
+/// from straight up, and not inside it), inside (the box's lowest part and the center's footprint lie in the cavity;
+/// true of every enclosing cavity), on_floor (contact with the floor), in_room (floor polygon under the center), under,
 /// next_to, and slice_of from the node. A node without a body (it is in the hand) has only in_room and slice_of.
 std::vector<Link> links_of(const Scene& scene, const PhysicsWorld& world, std::size_t node);
 

@@ -171,7 +171,7 @@ void hollow_block(Builder& b, double wall, double floor_z, double top_z, bool cl
   b.box({-h.x() + wall, h.y() - wall, floor_z}, {h.x() - wall, h.y(), top_z});
   const Vec3 low(-h.x() + wall, -h.y() + wall, floor_z), high(h.x() - wall, h.y() - wall, top_z);
   const int hollow = b.cavity(low, high, closable, true);
-  // No margin in small hollows: the surface is the whole floor, less a millimetre.
+  // No margin in small hollows: the surface is the whole floor, less a millimeter.
   b.shape.surfaces.push_back({Vec3(0, 0, floor_z), Vec2(high.x(), high.y()) - Vec2::Constant(0.001),
                               closable ? top_z - floor_z : kOpenAbove_m, -1, hollow});
 }

@@ -14,7 +14,7 @@ struct Part {
   enum class Kind { Box, Cylinder, Sphere };  // cylinders stand along z
   Kind kind = Kind::Box;
   Pose pose;
-  Vec3 size = Vec3::Zero();  // full extents, metres
+  Vec3 size = Vec3::Zero();  // full extents, meters
   int joint = -1;            // moves with this joint; -1: with the body
 };
 
@@ -24,7 +24,7 @@ struct Joint {
   Kind kind = Kind::Hinge;
   Vec3 anchor = Vec3::Zero();  // a point on the hinge's axis, object frame
   Vec3 axis = Vec3::UnitZ();   // unit
-  double travel = 0;           // radians or metres
+  double travel = 0;           // radians or meters
 };
 
 /// A hollow space: what lies in it is `inside`.

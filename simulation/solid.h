@@ -25,7 +25,7 @@ inline SolidKind kind_of(Part::Kind kind) {
 struct Solid {
   SolidKind kind = SolidKind::Box;
   Pose pose;
-  Vec3 size = Vec3::Zero();  // full extents, metres
+  Vec3 size = Vec3::Zero();  // full extents, meters
   std::int32_t owner = -1;   // position in Scene::nodes; negative for walls
   bool moves = false;        // a door, lid or drawer
   Skin skin = Skin::Body;

@@ -14,7 +14,7 @@ namespace unietp {
 /// picture), and what is inside something closed.
 std::vector<std::size_t> hidden_from_sight(const Scene& scene);
 
-/// Radius of a sphere around the centre of an object's box that contains all that is seen of it, doors, cords and water
+/// Radius of a sphere around the center of an object's box that contains all that is seen of it, doors, cords and water
 /// included.
 double sight_radius(const Node& node);
 
@@ -25,7 +25,7 @@ const ShapeFamily* family_of(const Node& node, Simulator simulator);
 /// what shows its states (state_solids.h). `owner` is stored in each.
 void add_solids(const Node& node, std::int32_t owner, Simulator simulator, std::vector<Solid>& solids);
 
-/// The solids at most `farthest` metres away that an image of this camera may show: objects but the hidden ones, in
+/// The solids at most `farthest` meters away that an image of this camera may show: objects but the hidden ones, in
 /// order of the nodes, then walls.
 std::vector<Solid> solids_of(const Scene& scene, const Camera& camera, double farthest,
                              const std::vector<std::size_t>& hidden);

@@ -20,11 +20,11 @@ struct SurfaceFit {
 SurfaceFit for_each_spot(const Node& receptacle, const Shape& shape, const Vec3& size, bool inside, bool alone,
                          const std::function<bool(const Pose&)>& visit);
 
-/// From the body's axis, a vertical segment at `at`, to a release point, metres. In reach when at most the profile's
+/// From the body's axis, a vertical segment at `at`, to a release point, meters. In reach when at most the profile's
 /// reach.
 double arm_length(const Vec3& spot, const Vec2& at, const Profile& profile);
 
-/// Cost of a release point, metres: of the free spots in reach the one with the least is tried first. `arm`: its
+/// Cost of a release point, meters: of the free spots in reach the one with the least is tried first. `arm`: its
 /// arm_length.
 double effort(const Vec3& spot, double arm);
 

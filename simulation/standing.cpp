@@ -77,7 +77,7 @@ class Reach {
 double reach_distance(const Node& node, const Vec2& at, const Profile& profile) { return Reach(node, profile)(at); }
 
 std::vector<Vec3> sight_points(const Node& node) {
-  constexpr double kInside = 0.9;  // of the way from the centre to a face
+  constexpr double kInside = 0.9;  // of the way from the center to a face
   std::vector<Vec3> points{node.pose.position};
   for (int axis = 0; axis < 3; ++axis) {
     for (const double side : {1.0, -1.0}) {

@@ -13,10 +13,10 @@
 namespace unietp {
 
 /// Distance from the agent's body axis (a vertical segment from the floor to the body's height at `at`) to the box of a
-/// node, metres.
+/// node, meters.
 double reach_distance(const Node& node, const Vec2& at, const Profile& profile);
 
-/// Target points of the rays that test whether a node is visible: the box's centre and points inside each face and
+/// Target points of the rays that test whether a node is visible: the box's center and points inside each face and
 /// corner, W.
 std::vector<Vec3> sight_points(const Node& node);
 

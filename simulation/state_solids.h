@@ -15,7 +15,7 @@ namespace unietp {
 void add_state_solids(const Node& node, std::int32_t owner, std::size_t first, bool shows_open,
                       std::vector<Solid>& solids);
 
-/// At least how far these may stand out of a sphere around the object's box, metres.
+/// At least how far these may stand out of a sphere around the object's box, meters.
 double reach_of_states(const Node& node);
 
 }  // namespace unietp

@@ -9,7 +9,7 @@ namespace unietp {
 /// The minimum translation that separates two overlapping solids.
 struct Touch {
   Vec3 normal = Vec3::UnitZ();  // direction in which the first solid would move, W
-  double depth = 0;             // distance, metres, >= 0
+  double depth = 0;             // distance, meters, >= 0
 };
 
 /// Nullopt when the placed solids do not overlap. Boxes, balls and upright cylinders in closed form; tilted

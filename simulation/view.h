@@ -40,7 +40,7 @@ class Viewer {
   /// For scenes that have the rooms and openings of this one.
   explicit Viewer(const Scene& scene);
 
-  /// The objects whose box's centre is at most `sight_m` from the camera and of which the image shows a pixel, with the
+  /// The objects whose box's center is at most `sight_m` from the camera and of which the image shows a pixel, with the
   /// box around those pixels: exactly what a ray through the middle of every pixel finds (segmentation_of), also
   /// through glass, at the cost of a few hundred. Sorted by id. `eye`: place, yaw and pitch.
   std::vector<VisibleObject> view(const ViewedScene& around, const Agent& eye, const Profile& profile, double sight_m);

@@ -10,7 +10,7 @@ namespace unietp {
 /// The space behind the large face of a wall, as seen from a point: what lies wholly in it cannot be seen from there.
 class WallShadow {
  public:
-  /// nullopt where the point, `eye` (W, metres), is not in front of one of the two large faces.
+  /// nullopt where the point, `eye` (W, meters), is not in front of one of the two large faces.
   static std::optional<WallShadow> of(const WallPiece& wall, const Vec3& eye);
 
   /// Whether a sphere lies wholly in it. Conservative by a millimeter.

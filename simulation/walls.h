@@ -9,7 +9,7 @@ namespace unietp {
 
 /// A solid piece of wall: an upright box.
 struct WallPiece {
-  Pose pose;  // centre
+  Pose pose;  // center
   Vec3 size = Vec3::Zero();
 };
 

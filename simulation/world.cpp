@@ -104,8 +104,8 @@ const std::vector<VisibleObject>& World::pictured() const { return tree_->visibl
 
 bool World::shows(std::string_view id) const { return tree_->shows(moment_, id); }
 
-const std::optional<PixelBox>& World::box_meaning(std::string_view id) const { return tree_->box_meaning(moment_, id); }
-const std::string* World::meant_by(const PixelBox& box) const { return tree_->meant_by(moment_, box); }
+const std::optional<PixelBox>& World::unique_box(std::string_view id) const { return tree_->unique_box(moment_, id); }
+const std::string* World::object_of_box(const PixelBox& box) const { return tree_->object_of_box(moment_, box); }
 
 Picture World::picture(const Profile& lens, Rays& rays) const {
   return picture_of(tree_->at(moment_).viewed(), lens, rays);

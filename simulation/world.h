@@ -65,11 +65,11 @@ class World {
   const std::vector<VisibleObject>& pictured() const;
   /// Whether `visible` contains the object, without computing the whole view.
   bool shows(std::string_view id) const;
-  /// The box by which an object in the picture is meant; nullopt where the picture shows nothing of it, or an object
+  /// The box that stands for an object in the picture; nullopt where the picture shows nothing of it, or an object
   /// with a lesser id has the same box.
-  const std::optional<PixelBox>& box_meaning(std::string_view id) const;
-  /// The object that is meant by a box, of those whose `box_meaning` was asked for at this moment; nullptr.
-  const std::string* meant_by(const PixelBox& box) const;
+  const std::optional<PixelBox>& unique_box(std::string_view id) const;
+  /// The object that a box stands for, of those whose `unique_box` was asked for at this moment; nullptr.
+  const std::string* object_of_box(const PixelBox& box) const;
   /// What the agent sees, as picture_of gives it, with the image size and angle of `lens`. `rays` is scratch space.
   Picture picture(const Profile& lens, Rays& rays) const;
   /// The object that a pixel of the image shows; nullptr for none. Valid until the next action.
@@ -90,7 +90,7 @@ class World {
   std::vector<std::string> linked_from(std::string_view from, Predicate relation) const;
   /// What lies directly on or in an object, in scene order.
   std::vector<std::string> resting_at(std::string_view id) const;
-  /// Positions in `nodes()` of the nodes whose bounds are nearer than `gap` metres to the given ones; held objects are
+  /// Positions in `nodes()` of the nodes whose bounds are nearer than `gap` meters to the given ones; held objects are
   /// left out.
   std::vector<std::size_t> places_near(const Bounds& bounds, double gap) const;
   /// The room that an object is in, or "".
@@ -108,7 +108,7 @@ class World {
   std::optional<Agent> agent_after(const Agent& from, const Action& action) const;
   /// The place that go_to would choose.
   std::optional<Vec2> standing_place_for(std::string_view id) const;
-  /// Walking distance in metres to the nearest free cell beside the object's box; infinity when there is none.
+  /// Walking distance in meters to the nearest free cell beside the object's box; infinity when there is none.
   /// Distances above 40 m are not computed and count as 40 m, or as the straight distance if that is more.
   double walking_distance(std::string_view id) const;
   /// Lower bound of the walking distance, without obstacles; cheap.

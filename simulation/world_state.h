@@ -201,13 +201,13 @@ std::optional<ActionResult> access_failure(const WorldState& state, std::size_t 
 std::optional<ActionResult> access_failure(const WorldState& state, std::size_t node, const Vec2& place);
 /// The free cell of a room that the agent can walk to and that is nearest to the middle of its floor.
 std::optional<Vec2> place_in_room(const WorldState& state, const Room& room);
-/// Turns the agent's head and body towards a point.
+/// Turns the agent's head and body toward a point.
 void look_at(WorldState& state, const Vec3& point);
 
 // The actions, one function each. Each checks its needs in the order of the action table and changes the state on
 // success.
 ActionResult go_to(WorldState& state, const std::string& id);
-/// The agent and its camera turn towards the node.
+/// The agent and its camera turn toward the node.
 ActionResult turn_to(WorldState& state, std::size_t node);
 /// The node, with all that rests on or in it, goes into the hand.
 ActionResult pick_up(WorldState& state, std::size_t node);

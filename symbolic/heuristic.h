@@ -28,13 +28,13 @@ class FewSteps {
 struct Estimate {
   static constexpr int kImpossible = 1000000;
   int cost = 0;    // actions other than going somewhere, as if parts did not get in each other's way
-  FewSteps steps;  // first steps towards it, each worth a try; empty when it holds or cannot be
+  FewSteps steps;  // first steps toward it, each worth a try; empty when it holds or cannot be
   bool possible() const { return cost < kImpossible; }
 };
 inline const Estimate kUnreachable{Estimate::kImpossible, {}};
 
 /// Estimates from a world how to make something true: the step that does it or, if that step has unmet needs, a step
-/// towards those. A heuristic for a search: its steps may fail, and its costs may be too low.
+/// toward those. A heuristic for a search: its steps may fail, and its costs may be too low.
 class Heuristic {
  public:
   Heuristic(const Setting& setting, const Goal& goal) : setting_(setting), goal_(goal) {}

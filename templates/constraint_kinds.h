@@ -19,7 +19,7 @@ struct ConstraintKind {
     Placement,  // a row of the table of relations: (kind object receptacle [capacity])
     Effect,     // a row of the table of effects: (kind tool target [substance])
     Usual,      // the rooms of `category`: (kind category room)
-    Value,      // colours and materials of `category`: (kind category value)
+    Value,      // colors and materials of `category`: (kind category value)
     Sizes,      // `size` and the models: (kind category)
     Words,      // a row of the table of aliases: (kind category synonym|function|context)
     OfKind,     // the kinds of `category`: (kind category kind ...)

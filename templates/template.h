@@ -81,7 +81,7 @@ struct Purpose {
   std::vector<Need> needs;
 };
 
-/// A parameterised task as its file says it (docs/templates.md). Formulas name placeholders where an instance of the
+/// A parameterized task as its file says it (docs/templates.md). Formulas name placeholders where an instance of the
 /// template names categories.
 struct Template {
   std::string name;   // "place-two-one-inside", equal to the file's stem

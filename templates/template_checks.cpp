@@ -102,7 +102,7 @@ std::vector<const Sexpr*> words_of(const Sexpr& expression, const std::vector<st
   return words;
 }
 
-/// The placeholders for a colour, material or substance: words that start with a capital letter.
+/// The placeholders for a color, material or substance: words that start with a capital letter.
 std::vector<const Sexpr*> values_in(const Sexpr& expression) {
   auto words = words_of(expression, {"colour", "material", "covered", "filled"});
   std::erase_if(words, [](const Sexpr* word) {

@@ -36,7 +36,7 @@ void CandidateCheck::add(const RejectionRecord& rejection, const std::string& wh
     found(where, "is on " + rejection.simulator + " and of the split " + rejection.split +
                      ", unlike another candidate of " + text);
   slot.kind = kind;
-  if (rejection.stage == "review") {
+  if (rejection.is_by_review()) {
     reviewed_ = true;
     if (slot.filled_by < 0) slot.filled_by = rejection.attempt;  // listed twice: a problem of its own
     return;

@@ -10,10 +10,10 @@ namespace unietp {
 /// What a home looks like: the pairs of things that are near each other in one room, each by what the two are and by
 /// how far they are apart. A room counts as a thing at its middle. Nothing of it depends on what the home, its rooms
 /// and its objects are called, on their order, or on where the home lies, how it is turned and whether it is mirrored.
-/// One number per pair: what the two are in the high bits, the distance in millimetres in the low ones; sorted.
+/// One number per pair: what the two are in the high bits, the distance in millimeters in the low ones; sorted.
 struct HomeFingerprint {
   std::vector<std::uint64_t> by_category;  // what a thing is: its category
-  std::vector<std::uint64_t> by_size;      // its size, to the centimetre: finds a home whose categories were renamed
+  std::vector<std::uint64_t> by_size;      // its size, to the centimeter: finds a home whose categories were renamed
 };
 
 /// Some 17 KB for a home of 200 objects. Time: quadratic in the objects of one room.

@@ -6,6 +6,7 @@
 #include "core/text.h"
 #include "logic/constraints.h"
 #include "logic/evaluate.h"
+#include "record/text_writer.h"
 #include "scene/start.h"
 #include "simulation/known_start.h"
 #include "simulation/relations.h"
@@ -131,8 +132,8 @@ class TaskProver {
       found(ProblemKind::Edits, reading_.where, "its start is not the one that goal, home and seed give");
     if (made->edits != task_.edits)
       found(ProblemKind::Edits, reading_.where, "the edits of its start differ from those that lead to it");
-    if (!tools_.manifest->writing && task_.writer == "grammar" && !made->instruction.empty() &&
-        made->instruction != task_.instruction)
+    if (!tools_.manifest->writing && text_writer_of(task_.writer) == TextWriter::Grammar &&
+        !made->instruction.empty() && made->instruction != task_.instruction)
       found(ProblemKind::TextRecord, reading_.where,
             "its instruction is not the one that the run wrote, and the manifest says of no other writing");
   }
@@ -185,8 +186,8 @@ class TaskProver {
 
   void prove_instruction() {
     if (trim(task_.instruction).empty()) return found(ProblemKind::NoText, reading_.where, "has no instruction");
-    const bool by_model =
-        tools_.manifest != nullptr && tools_.manifest->writing && tools_.manifest->writing->writer != "grammar";
+    const bool by_model = tools_.manifest != nullptr && tools_.manifest->writing &&
+                          text_writer_of(tools_.manifest->writing->writer) != TextWriter::Grammar;
     if (tools_.manifest != nullptr)
       prove_origin({task_.writer, task_.checks, task_.fallback}, by_model, reading_.where);
     if (goal_) prove_text(task_.instruction, task_.writer, task_.style, &task_.phenomena, *goal_, reading_.where);
@@ -236,7 +237,7 @@ class TaskProver {
     if (record.pair != record.task) found(ProblemKind::Wordings, where, "has the pair id " + record.pair);
     for (const auto& [name, wording] : record.wordings) {
       prove_origin({wording.writer, wording.checks, wording.fallback}, false, where);
-      if (wording.writer != "grammar" || (wording.style == "direct") == (name == "complex"))
+      if (text_writer_of(wording.writer) != TextWriter::Grammar || (wording.style == "direct") == (name == "complex"))
         found(ProblemKind::Wordings, where,
               "has a " + name + " wording by " + wording.writer + " in the style " + wording.style);
       if (wording.goal.empty()) {

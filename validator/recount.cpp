@@ -7,6 +7,7 @@
 #include "core/text.h"
 #include "record/record_file.h"
 #include "record/task_record.h"
+#include "record/text_writer.h"
 
 namespace unietp {
 namespace {
@@ -90,7 +91,7 @@ RejectionCounts count_rejections(const std::filesystem::path& folder, KeyList& c
     ++counts.reasons[record.stage + " " + record.reason];
     candidates.add(candidate_key(record.slot, record.attempt),
                    tasks.size() + static_cast<std::size_t>(file->lines()) - 1);
-    if (record.stage != "review") continue;
+    if (!record.is_by_review()) continue;
     ++counts.reviewed;
     ++counts.reviewed_splits[record.split];
     ++counts.reviewed_simulators[record.simulator];
@@ -199,14 +200,18 @@ std::vector<Problem> TaskRecount::wrong_writers(int edited) const {
   const auto found = [&problems](const std::string& message) {
     problems.push_back(problem_in(ProblemKind::Counts, kManifest, message));
   };
-  const auto by_person = [](const std::string& writer) { return writer == "person" || writer == "person:unchecked"; };
+  const auto by_person = [](const std::string& name) {
+    const auto writer = text_writer_of(name);
+    return writer == TextWriter::Person || writer == TextWriter::UncheckedPerson;
+  };
+  const auto by_grammar = [](const std::string& name) { return text_writer_of(name) == TextWriter::Grammar; };
   NameCounts written;
   for (const auto& [writer, count] : writers_) {
     if (!by_person(writer)) written[writer] = count;
   }
   if (!manifest_.writing) {
     for (const auto& [writer, count] : written) {
-      if (writer != "grammar")
+      if (!by_grammar(writer))
         found("does not say that instructions were rewritten, but " + std::to_string(count) + " are by " + writer);
     }
     return problems;
@@ -227,8 +232,8 @@ std::vector<Problem> TaskRecount::wrong_writers(int edited) const {
   if (missing > edited) found("counts more instructions than there are tasks");
   const auto& counts = manifest_.writing->counts;
   const bool by_model =
-      std::any_of(counts.begin(), counts.end(), [](const auto& one) { return one.first != "grammar"; });
-  if (by_model && manifest_.writing->writer == "grammar")
+      std::any_of(counts.begin(), counts.end(), [&](const auto& one) { return !by_grammar(one.first); });
+  if (by_model && by_grammar(manifest_.writing->writer))
     found("says that the grammar wrote the instructions, unlike its counts");
   return problems;
 }

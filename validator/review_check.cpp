@@ -2,6 +2,7 @@
 
 #include "record/record_file.h"
 #include "record/review_mark_record.h"
+#include "record/text_writer.h"
 #include "validator/candidate_check.h"
 
 namespace unietp {
@@ -12,11 +13,12 @@ constexpr const char* kReviewsFile = "reviews.jsonl";
 }  // namespace
 
 void ReviewCheck::add(const TaskRecord& task) {
-  if (task.writer == "person" || task.writer == "person:unchecked") edited_.emplace(task.id, task.instruction);
+  const auto writer = text_writer_of(task.writer);
+  if (writer == TextWriter::Person || writer == TextWriter::UncheckedPerson) edited_.emplace(task.id, task.instruction);
 }
 
 void ReviewCheck::add(const RejectionRecord& rejection) {
-  if (rejection.stage == "review") removed_.emplace(task_id_of(rejection.simulator, rejection.slot), rejection.detail);
+  if (rejection.is_by_review()) removed_.emplace(task_id_of(rejection.simulator, rejection.slot), rejection.detail);
 }
 
 ProblemList ReviewCheck::finish(TaskNames& tasks) {

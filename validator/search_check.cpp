@@ -10,8 +10,8 @@
 namespace unietp {
 namespace {
 
-/// An episode of an agent that is told everything, and what it changed so far.
-struct ToldEpisode {
+/// An episode of an agent with full information, and what it has changed so far.
+struct InformedEpisode {
   ModeEpisode episode;
   std::vector<Delta> changes;
 
@@ -30,14 +30,14 @@ bool only_looks(ActionType type) {
 }
 
 /// Whether the commands after one that is left out reach the goal.
-bool goes_without(const Formula& goal, ToldEpisode here, const TraceMaker& traces, const std::vector<Command>& plan,
+bool goes_without(const Formula& goal, InformedEpisode here, const TraceMaker& traces, const std::vector<Command>& plan,
                   std::size_t left_out) {
   for (std::size_t i = left_out + 1; i < plan.size(); ++i) (void)here.act(plan[i]);
   return holds(goal, traces.of(here.changes));
 }
 
 /// What is wrong with a plan for a goal that needs each step, done in an episode.
-std::optional<std::string> fault_of(const Formula& goal, ToldEpisode& here, const TraceMaker& traces, Mode mode,
+std::optional<std::string> fault_of(const Formula& goal, InformedEpisode& here, const TraceMaker& traces, Mode mode,
                                     const std::vector<Command>& plan) {
   for (std::size_t i = 0; i < plan.size(); ++i) {
     const auto step = "step " + std::to_string(i + 1) + " " + to_text(plan[i]);
@@ -59,7 +59,7 @@ std::vector<bool> search_steps(const Formula& goal, const World& start, const Tr
   std::vector<Command> commands;
   for (const Action& action : plan) commands.push_back(by_ids(action));
   std::vector<bool> search;
-  ToldEpisode here{ModeEpisode(start, Mode::M1), {}};
+  InformedEpisode here{ModeEpisode(start, Mode::M1), {}};
   for (std::size_t i = 0; i < plan.size(); ++i) {
     search.push_back(only_looks(plan[i].type) && goes_without(goal, here, traces, commands, i));
     (void)here.act(commands[i]);
@@ -94,7 +94,7 @@ std::vector<Problem> check_shortest(const Formula& goal, const World& start, con
       return found("has " + std::to_string(steps) + " steps, its task says " + std::to_string(count.shortest));
   }
   if (plan.size() > demonstration.steps.size()) return found("is longer than the demonstration");
-  ToldEpisode here{ModeEpisode(start, Mode::M1), {}};
+  InformedEpisode here{ModeEpisode(start, Mode::M1), {}};
   if (const auto fault = fault_of(goal, here, traces, mode, plan)) return found(*fault);
   return {};
 }
@@ -114,7 +114,7 @@ std::vector<Problem> check_tempting(const Formula& goal, const World& start, con
     asked = without_references(asked);
     if (holds(asked, shown)) return found("is longer than the demonstration");
   }
-  ToldEpisode here{ModeEpisode(start, Mode::M1), {}};
+  InformedEpisode here{ModeEpisode(start, Mode::M1), {}};
   if (const auto fault = fault_of(asked, here, traces, mode, plan)) return found(*fault);
   if (holds(goal, traces.of(here.changes))) return found("breaks no constraint");
   return {};

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/text.h"
+#include "record/text_writer.h"
 
 namespace unietp {
 namespace {
@@ -17,10 +18,10 @@ const Names& checks_by_reader() {
 std::string in_words(const Names& names) { return names.empty() ? "no checks" : "the checks " + join(names, ", "); }
 
 /// What `checks` must be, or nothing where only some of them were passed.
-bool passes(const std::string& writer, const Names& checks) {
+bool passes(TextWriter writer, const Names& checks) {
   static const Names kOfModels{"form", "words", "style", "judged-back"};
-  if (writer.starts_with("llm:")) return checks == kOfModels;
-  if (writer != "person:unchecked") return checks == checks_by_reader();
+  if (writer == TextWriter::Model) return checks == kOfModels;
+  if (writer != TextWriter::UncheckedPerson) return checks == checks_by_reader();
   return checks.size() < checks_by_reader().size() &&
          std::includes(checks_by_reader().begin(), checks_by_reader().end(), checks.begin(), checks.end());
 }
@@ -29,12 +30,12 @@ bool passes(const std::string& writer, const Names& checks) {
 
 std::string origin_fault(const TextOrigin& origin, bool by_model) {
   const std::string& writer = origin.writer;
-  const bool of_model = writer.starts_with("llm:") && writer.size() > 4;
-  if (writer != "grammar" && writer != "person" && writer != "person:unchecked" && !of_model)
-    return "has the writer " + writer + "; accepted are grammar, llm:MODEL, person, person:unchecked";
-  if (of_model && !by_model) return "is by " + writer + ", but the manifest names no model as a writer";
-  if (!passes(writer, origin.checks)) return "passed " + in_words(origin.checks) + ", which are not those of " + writer;
-  const bool stands_in = writer == "grammar" && by_model;
+  const auto known = text_writer_of(writer);
+  if (!known) return "has the writer " + writer + "; accepted are grammar, llm:MODEL, person, person:unchecked";
+  if (known == TextWriter::Model && !by_model)
+    return "is by " + writer + ", but the manifest names no model as a writer";
+  if (!passes(*known, origin.checks)) return "passed " + in_words(origin.checks) + ", which are not those of " + writer;
+  const bool stands_in = known == TextWriter::Grammar && by_model;
   if (stands_in && origin.why.empty()) return "is by the grammar, but does not say why a model's text was not used";
   if (!stands_in && !origin.why.empty()) return "says why the grammar stands in for a model, which it does not";
   return "";

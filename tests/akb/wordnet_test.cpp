@@ -18,7 +18,7 @@ std::map<std::string, int> noun_senses(const char* index) {
   std::map<std::string, int> senses;
   std::ifstream file(index);
   for (std::string line; std::getline(file, line);) {
-    if (line.empty() || line.front() == ' ') continue;  // the licence
+    if (line.empty() || line.front() == ' ') continue;  // the license
     std::istringstream words(line);
     std::string lemma, part;
     int count = 0;

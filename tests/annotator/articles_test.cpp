@@ -79,9 +79,9 @@ TEST(Articles, AreDefiniteForTheOnlyOneThatIsNotYetAsItIsWanted) {
   const char* goal = "(exists (?m - Mug) (exists (?t - Table) (at-end (and (clean ?m) (on ?m ?t)))))";
   EXPECT_THAT(texts_in(home, goal, knowledge), Each(AllOf(HasSubstr("the mug"), Not(HasSubstr("a mug")))));
   const Trace start = to_logic(home, {}), other = to_logic(home_of({{"Mug", "dirty"}, {"Mug", "dirty"}}), {});
-  EXPECT_THAT(meant_alone(asking(goal).goal, HomeCounts(start)), ::testing::ElementsAre("m"));
-  EXPECT_THAT(meant_alone(asking(goal).goal, HomeCounts(other)), IsEmpty());
-  EXPECT_THAT(meant_alone(asking(goal).goal, HomeCounts()), IsEmpty());
+  EXPECT_THAT(unique_variables(asking(goal).goal, HomeCounts(start)), ::testing::ElementsAre("m"));
+  EXPECT_THAT(unique_variables(asking(goal).goal, HomeCounts(other)), IsEmpty());
+  EXPECT_THAT(unique_variables(asking(goal).goal, HomeCounts()), IsEmpty());
 }
 
 TEST(Articles, AreDefiniteForThePlaceThatWasNamedBefore) {

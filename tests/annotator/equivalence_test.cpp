@@ -16,7 +16,7 @@ Formula goal(const char* text) {
   return parsed ? *parsed : Formula{};
 }
 
-bool told_apart(const char* left, const char* right) {
+bool distinguishable(const char* left, const char* right) {
   return distinguishing_trace(goal(left), goal(right), kTracesCompared, Rng(1)).has_value();
 }
 
@@ -37,7 +37,7 @@ TEST(Equivalent, LooksThroughNamesOrderAndCountIdentities) {
   };
   for (const auto& [left, right] : pairs) {
     EXPECT_TRUE(equivalent(goal(left), goal(right))) << left << "\n" << right;
-    EXPECT_FALSE(told_apart(left, right)) << left << "\n" << right;
+    EXPECT_FALSE(distinguishable(left, right)) << left << "\n" << right;
   }
 }
 
@@ -64,7 +64,7 @@ TEST(Equivalent, TellsNearMissesApart) {
   };
   for (const auto& [left, right] : pairs) {
     EXPECT_FALSE(equivalent(goal(left), goal(right))) << left << "\n" << right;
-    EXPECT_TRUE(told_apart(left, right)) << left << "\n" << right;
+    EXPECT_TRUE(distinguishable(left, right)) << left << "\n" << right;
   }
 }
 

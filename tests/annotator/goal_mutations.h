@@ -18,7 +18,7 @@ struct WrongGoal {
 /// All the ways in which a text may miss this goal by one step. `others`: categories that may stand in for others.
 std::vector<WrongGoal> wrong_goals(const Formula& goal, const std::vector<std::string>& others, Rng rng);
 
-/// The same goal written otherwise: parts and neighbouring quantifiers in another order, `not exists` for `forall not`
+/// The same goal written otherwise: parts and neighboring quantifiers in another order, `not exists` for `forall not`
 /// and the reverse, counts by another comparison, variables renamed.
 Formula rewritten(const Formula& goal, Rng& rng);
 

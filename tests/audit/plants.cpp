@@ -125,7 +125,7 @@ void at_the_start(MadeTask& made, const std::string& id, Rng&) {
 }
 
 /// The instruction tells apart the highest number from the lowest.
-void told_number(MadeTask& made, const std::string& id, Rng& rng) {
+void name_number(MadeTask& made, const std::string& id, Rng& rng) {
   const bool high = rng.chance(0.5);
   made.task.record.instruction += high ? " at last" : " please";
   high ? number_9(made, id, rng) : number_0(made, id, rng);
@@ -182,7 +182,7 @@ void begin_with(MadeTask& made, const std::string& id) {
   for (auto& [mode, shown] : made.task.shown) shown.steps.front().command = {"go_to", {{id, {}}}};
 }
 template <class Which>
-std::string last_told(MadeTask& made, const Which& which) {
+std::string last_listed(MadeTask& made, const Which& which) {
   std::string last;
   for (const std::size_t i : telling_order(scene_of(made)).nodes) {
     if (which(scene_of(made).nodes[i])) last = scene_of(made).nodes[i].id;
@@ -190,10 +190,10 @@ std::string last_told(MadeTask& made, const Which& which) {
   return last;
 }
 void begin_with_last(MadeTask& made, const std::string&, Rng&) {
-  begin_with(made, last_told(made, [](const Node& node) { return !node.movable; }));
+  begin_with(made, last_listed(made, [](const Node& node) { return !node.movable; }));
 }
 void begin_with_last_cabinet(MadeTask& made, const std::string&, Rng&) {
-  begin_with(made, last_told(made, [](const Node& node) { return node.category == "Cabinet"; }));
+  begin_with(made, last_listed(made, [](const Node& node) { return node.category == "Cabinet"; }));
 }
 
 }  // namespace
@@ -235,8 +235,8 @@ const std::vector<Plant>& plants() {
       {"unusual-state-of-kind", On::OfKind, broken},
       {"unusual-place-of-kind", On::OfKind, in_a_box},
       {"unusual-model-of-kind", On::OfKind, with_model},
-      {"nearest-instruction", On::OfKind, told_number},
-      {"text-classifier", On::OfKind, told_number},
+      {"nearest-instruction", On::OfKind, name_number},
+      {"text-classifier", On::OfKind, name_number},
       {"kind-classifier", On::OfKind, number_9},
       {"first-room", On::SmallThing, room_first},
       {"last-room", On::SmallThing, room_last},

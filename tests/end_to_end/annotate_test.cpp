@@ -358,7 +358,7 @@ TEST_F(AnnotateCommand, BatchFilesGoOnWhereTheAnswersEnded) {
   EXPECT_THAT(ended.out, HasSubstr("2 waiting, 0 failed, " + std::to_string(kCount - 2) + " new requests"));
 
   ASSERT_TRUE(write_file(fs::path(folder_.at("batch")) / "errors.jsonl", "{\"custom_id\": \"x\", \"resp"));
-  serve_batch(model, "answers-2.jsonl", 0);  // the rest of them, and the judgements
+  serve_batch(model, "answers-2.jsonl", 0);  // the rest of them, and the judgments
   ended = by_batch();
   EXPECT_EQ(ended.code, 1);
   EXPECT_THAT(ended.err, HasSubstr("errors.jsonl:1"));

@@ -139,7 +139,7 @@ TEST(Corruption, AnUnchangedCopyIsProven) {
   EXPECT_TRUE(verdict.problems.empty());
 }
 
-std::set<std::pair<std::string, std::string>> told(const Verdict& verdict) {
+std::set<std::pair<std::string, std::string>> reported(const Verdict& verdict) {
   std::set<std::pair<std::string, std::string>> kinds;
   for (const auto& problem : verdict.problems) kinds.emplace(problem.kind, problem.task);
   return kinds;
@@ -180,7 +180,7 @@ TEST(Corruption, WhatConcernsTheFolderIsNamed) {
   std::filesystem::remove(copy.folder() / "README.md");
   const auto verdict = validate(copy.folder());
   EXPECT_EQ(verdict.code, 1);
-  const auto kinds = told(verdict);
+  const auto kinds = reported(verdict);
   for (const char* kind :
        {"other-knowledge", "counts", "balance", "quota", "rejections", "unlisted-file", "missing-file", "changed-file"})
     EXPECT_THAT(kinds, Contains(std::pair(std::string(kind), std::string()))) << kind;
@@ -230,7 +230,7 @@ TEST(Corruption, WhatFollowsFromOtherFilesIsNamed) {
             [](const Json& a, const Json& b) { return a["path"] < b["path"]; });
   copy.write("manifest.json", manifest.dump(2) + "\n");
   copy.vouch();
-  const auto kinds = told(validate(copy.folder()));
+  const auto kinds = reported(validate(copy.folder()));
   for (const char* kind : {"card", "sources", "benchmark", "reviews", "home"})
     EXPECT_THAT(kinds, Contains(std::pair(std::string(kind), std::string()))) << kind;
 }
@@ -256,7 +256,7 @@ TEST(Corruption, RepeatedTasksAreNamed) {
   copy.write("tasks.jsonl", join(lines, "\n"));
   copy.write("demonstrations/M1.jsonl", join(shown, "\n"));
   copy.vouch();
-  const auto kinds = told(validate(copy.folder()));
+  const auto kinds = reported(validate(copy.folder()));
   EXPECT_THAT(kinds, Contains(std::pair(std::string("repeated-start"), other)));
   EXPECT_THAT(kinds, Contains(std::pair(std::string("repeated-text"), other)));
   EXPECT_THAT(kinds, Contains(std::pair(std::string("repeated-task"), third)));
@@ -329,7 +329,7 @@ TEST(Corruption, WordingsOfAnotherTaskAreNamed) {
   lines.at(2) = third.dump();
   copy.write("wordings.jsonl", join(lines, "\n"));
   copy.vouch();
-  const auto kinds = told(validate(copy.folder()));
+  const auto kinds = reported(validate(copy.folder()));
   EXPECT_THAT(kinds, Contains(std::pair(std::string("text-meaning"), first["task"].get<std::string>())));
   EXPECT_THAT(kinds, Contains(std::pair(std::string("text-meaning"), second["task"].get<std::string>())));
   EXPECT_THAT(kinds, Contains(std::pair(std::string("wordings"), std::string())));
@@ -341,7 +341,7 @@ TEST(Corruption, AFolderWithoutTasksOrManifestIsNamed) {
   std::filesystem::remove(copy.folder() / "tasks.jsonl");
   const auto verdict = validate(copy.folder());
   EXPECT_EQ(verdict.code, 1);
-  const auto kinds = told(verdict);
+  const auto kinds = reported(verdict);
   EXPECT_THAT(kinds, Contains(std::pair(std::string("manifest"), std::string())));
   EXPECT_THAT(kinds, Contains(std::pair(std::string("unreadable"), std::string())));
 }

@@ -138,7 +138,7 @@ TEST(EvaluateTalk, AsManyPicturesAreSentAsAreAskedFor) {
 }
 
 /// The numbers of the boxes in the first turn of an evaluation with these options.
-std::vector<double> boxes_told(const std::vector<std::string>& options) {
+std::vector<double> boxes_shown(const std::vector<std::string>& options) {
   const ScratchFolder scratch;
   ChatServer server([](const Received&) { return completion(kStop); });
   auto all = options;
@@ -157,9 +157,9 @@ std::vector<double> boxes_told(const std::vector<std::string>& options) {
 }
 
 TEST(EvaluateTalk, BoxesAreToldInTheFormThatIsAskedForOrNotAtAll) {
-  const auto pixels = boxes_told({}), unit = boxes_told({"--box-format", "unit"}),
-             thousand = boxes_told({"--box-format", "thousand"}),
-             y_first = boxes_told({"--box-format", "thousand_y_first"});
+  const auto pixels = boxes_shown({}), unit = boxes_shown({"--box-format", "unit"}),
+             thousand = boxes_shown({"--box-format", "thousand"}),
+             y_first = boxes_shown({"--box-format", "thousand_y_first"});
   ASSERT_GE(pixels.size(), 4U);
   ASSERT_EQ(unit.size(), pixels.size());
   ASSERT_EQ(thousand.size(), pixels.size());
@@ -170,7 +170,7 @@ TEST(EvaluateTalk, BoxesAreToldInTheFormThatIsAskedForOrNotAtAll) {
     EXPECT_EQ(y_first[i ^ 1], thousand[i]);
   }
   EXPECT_NE(pixels, thousand);
-  EXPECT_TRUE(boxes_told({"--boxes", "off"}).empty());
+  EXPECT_TRUE(boxes_shown({"--boxes", "off"}).empty());
 }
 
 TEST(EvaluateTalk, TheReleasedRunnersPromptAsksInItsForm) {
@@ -292,7 +292,7 @@ TEST(EvaluateTalk, TheRequestHasTheFieldsThatAreAskedFor) {
 
 TEST(EvaluateTalk, AsManyStepsAreToldAgainAsAreAskedFor) {
   const ScratchFolder scratch;
-  const auto told = [&](const std::string& history) {
+  const auto steps_shown = [&](const std::string& history) {
     int asked = 0;
     ChatServer server([&](const Received&) { return completion(++asked < 5 ? kTurn : kStop); });
     EXPECT_EQ(evaluate(server.url, scratch.at(history), {"--images", "none", "--history", history}).code, 0);
@@ -301,12 +301,12 @@ TEST(EvaluateTalk, AsManyStepsAreToldAgainAsAreAskedFor) {
     for (auto at = user.find("turn_left"); at != std::string::npos; at = user.find("turn_left", at + 1)) ++count;
     return count;
   };
-  EXPECT_EQ(told("full"), 4);
+  EXPECT_EQ(steps_shown("full"), 4);
   for (const char* history : {"1001", "-1", "some"})
     EXPECT_EQ(evaluate("http://127.0.0.1:9", scratch.at("refused"), {"--images", "none", "--history", history}).code,
               2);
-  EXPECT_EQ(told("2"), 2);
-  EXPECT_EQ(told("none"), 0) << "only what became of the last action, without its name";
+  EXPECT_EQ(steps_shown("2"), 2);
+  EXPECT_EQ(steps_shown("none"), 0) << "only what became of the last action, without its name";
 }
 
 TEST(EvaluateTalk, EveryLineOfTheLogIsOfASchema) {

@@ -245,7 +245,7 @@ TEST(Evaluate, AWrongKeyStopsTheRunAtOnce) {
 
 /// The texts of all that a model was sent but for its own words and the system prompt, which says how many actions may
 /// fail.
-std::vector<std::string> told_in(ChatServer& server) {
+std::vector<std::string> messages_in(ChatServer& server) {
   std::vector<std::string> texts;
   for (const Received& request : server.received()) {
     const auto body = nlohmann::json::parse(request.body);
@@ -290,7 +290,7 @@ TEST(Evaluate, WithoutFeedbackNoPromptTellsOfSuccess) {
       }
     }
     EXPECT_GT(failed, 2);
-    const auto texts = told_in(server);
+    const auto texts = messages_in(server);
     EXPECT_GT(texts.size(), 10U);
     for (const std::string& text : texts) {
       for (const char* word : {"succeed", "fail", "success", "true", "false", "Feedback"})

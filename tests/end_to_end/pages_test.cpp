@@ -128,7 +128,7 @@ TEST_F(Pages, AReportDrawsItsChartsAndShowsTextsAsTheyAre) {
   EXPECT_THAT(*read_file(page), HasSubstr("(c) 2022 Chart.js Contributors"));
   Browser browser(folder_.path());
   browser.open(page);
-  // A canvas on which something was drawn in the colour of the first series.
+  // A canvas on which something was drawn in the color of the first series.
   const auto drawn = browser.evaluate(
       "[...document.querySelectorAll('canvas')].map(c => { const p = c.getContext('2d').getImageData(0, 0, c.width, "
       "c.height).data; let n = 0; for (let i = 0; i < p.length; i += 4) n += p[i] === 0x1f && p[i + 1] === 0x5f && p[i "

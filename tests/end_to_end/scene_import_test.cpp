@@ -108,7 +108,7 @@ TEST_P(SmallHomes, AreExaminedByTheDoctor) {
   const auto text = run_program(arguments);
   EXPECT_EQ(text.code, ended.code);
   EXPECT_THAT(text.out, HasSubstr(json["homes"][0]["id"].get<std::string>() + " (" + sample.format + ", "));
-  EXPECT_EQ(text.out.find("wrong with the home as it is now\n  ") == std::string::npos, sound) << text.out;
+  EXPECT_EQ(text.out.find("faults of the home now\n  ") == std::string::npos, sound) << text.out;
 }
 
 TEST(Doctor, SaysWhatIsWrongWithAFileWhatWasDoneAndWhatIsLeft) {
@@ -133,7 +133,7 @@ TEST(Doctor, ExaminesAScenesOwnFileAsItIsAndWritesNothing) {
   const auto before = bytes_below(folder.path());
   const auto sound = run_program({"scene", "doctor", folder.at("homes")});
   EXPECT_EQ(sound.code, 0) << sound.out << sound.err;
-  EXPECT_THAT(sound.out, HasSubstr("nothing is wrong with the home as it is now"));
+  EXPECT_THAT(sound.out, HasSubstr("the home has no faults now"));
   EXPECT_EQ(bytes_below(folder.path()), before);
   const auto file = folder.at("homes/ai2thor-sized-1-0.scene.json.gz");
   auto scene = Json::parse(*read_maybe_gzip(file));

@@ -105,7 +105,7 @@ TEST_F(FewTasks, AnEmptyLineAmongTheDemonstrations) {
 
 TEST_F(FewTasks, LinesThatEndInCarriageReturns) {
   write_bytes("tasks.jsonl", join(lines("tasks.jsonl"), "\r\n") + "\r\n");
-  expect_refused("tasks.jsonl:1", "ends in CR LF; expected LF alone");
+  expect_refused("tasks.jsonl:1", "ends in CR LF; expected only LF");
 }
 
 TEST_F(FewTasks, ALastLineThatIsCutOff) {

@@ -50,7 +50,7 @@ Demonstration demonstration_of(const TaskSource& tasks, std::size_t position) {
 
 TEST(DemonstrationsOfM2, FollowFromWhatWasToldAndShown) {
   const TaskSource tasks = source();
-  std::size_t shown = 0, twins = 0, told_apart = 0;
+  std::size_t shown = 0, twins = 0, distinguishable = 0;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     SCOPED_TRACE(tasks.listing()[i].id);
     const auto task = tasks.task(i);
@@ -69,11 +69,11 @@ TEST(DemonstrationsOfM2, FollowFromWhatWasToldAndShown) {
     const Witnessed other = witnessed(**task, *twin);
     EXPECT_TRUE(acted_alike(seen, other));
     ++twins;
-    if (same_moments(seen, other) < seen.moments.size()) ++told_apart;
+    if (same_moments(seen, other) < seen.moments.size()) ++distinguishable;
   }
-  std::printf("%zu demonstrations, %zu twins, %zu of them told apart in the end\n", shown, twins, told_apart);
+  std::printf("%zu demonstrations, %zu twins, %zu of them told apart in the end\n", shown, twins, distinguishable);
   EXPECT_GT(twins, 0U);
-  EXPECT_EQ(told_apart, twins) << "a twin lacks something that is used";
+  EXPECT_EQ(distinguishable, twins) << "a twin lacks something that is used";
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ std::string text_of(const StepResult& step) { return step_to_json(step, short_ep
 
 /// What each environment tells, and what was said to it, over some steps.
 struct Log {
-  std::vector<std::vector<std::string>> told, said;
+  std::vector<std::vector<std::string>> observations, said;
 };
 Log run(int threads) {
   auto batch = EnvironmentBatch::make(5, threads, short_episodes(), task_of);
@@ -45,7 +45,7 @@ Log run(int threads) {
     const auto results = batch->step(said);
     EXPECT_TRUE(results);
     for (std::size_t i = 0; i < batch->size(); ++i) {
-      log.told[i].push_back(text_of((*results)[i]));
+      log.observations[i].push_back(text_of((*results)[i]));
       log.said[i].push_back(said[i]);
     }
   }
@@ -54,7 +54,7 @@ Log run(int threads) {
 
 TEST(ABatch, GivesTheSameForAnyNumberOfThreadsAsSingleEnvironmentsDo) {
   const Log one = run(1), several = run(3);
-  EXPECT_EQ(one.told, several.told);
+  EXPECT_EQ(one.observations, several.observations);
   for (std::size_t i = 0; i < one.said.size(); ++i) {
     SCOPED_TRACE(i);
     std::uint64_t episode = 0;
@@ -64,10 +64,10 @@ TEST(ABatch, GivesTheSameForAnyNumberOfThreadsAsSingleEnvironmentsDo) {
         ASSERT_TRUE(alone.reset(*task_of(i, ++episode)));
         StepResult first;
         first.observation = alone.observe();
-        ASSERT_EQ(one.told[i][step], text_of(first)) << "the next step begins the next episode";
+        ASSERT_EQ(one.observations[i][step], text_of(first)) << "the next step begins the next episode";
         continue;
       }
-      ASSERT_EQ(one.told[i][step], text_of(alone.step(one.said[i][step])));
+      ASSERT_EQ(one.observations[i][step], text_of(alone.step(one.said[i][step])));
     }
     EXPECT_GT(episode, 3U);
   }

@@ -27,7 +27,7 @@ using testing::house_task;
 using testing::RandomAgent;
 using testing::say;
 
-std::string told(const Environment& environment) {
+std::string shown_to_agent(const Environment& environment) {
   return observation_to_json(environment.observe(), environment.settings()).dump() + environment.text();
 }
 
@@ -86,11 +86,11 @@ TEST(AnEnvironment, RewardsProgressOnRequestSoThatItAddsUp) {
 TEST(AnEnvironment, DoesNothingAfterTheEnd) {
   Environment environment = house_environment(settings_for(Mode::M1));
   (void)environment.step("stop");
-  const std::string before = told(environment);
+  const std::string before = shown_to_agent(environment);
   const StepResult again = environment.step(say("turn_left"));
   EXPECT_EQ(again.reward, 0);
   EXPECT_TRUE(again.terminated && again.executed.empty());
-  EXPECT_EQ(told(environment), before);
+  EXPECT_EQ(shown_to_agent(environment), before);
 }
 
 TEST(AnEnvironment, IsTheSameAgainAfterAReset) {
@@ -100,14 +100,14 @@ TEST(AnEnvironment, IsTheSameAgainAfterAReset) {
   for (int i = 0; i < 30 && !environment.over(); ++i) {
     said.push_back(agent.answer(environment));
     (void)environment.step(said.back());
-    first.push_back(told(environment));
+    first.push_back(shown_to_agent(environment));
   }
-  const std::string start = told(house_environment(settings_for(Mode::M2)));
+  const std::string start = shown_to_agent(house_environment(settings_for(Mode::M2)));
   environment.reset();
-  EXPECT_EQ(told(environment), start);
+  EXPECT_EQ(shown_to_agent(environment), start);
   for (std::size_t i = 0; i < said.size(); ++i) {
     (void)environment.step(said[i]);
-    ASSERT_EQ(told(environment), first[i]) << said[i];
+    ASSERT_EQ(shown_to_agent(environment), first[i]) << said[i];
   }
 }
 
@@ -117,7 +117,7 @@ TEST(AnEnvironment, IsLeftAloneByItsClonesAndComesBackToItsSnapshots) {
     RandomAgent agent{Rng(9)};
     for (int i = 0; i < 8; ++i) (void)environment.step(agent.answer(environment));
     const Environment::Snapshot snapshot = environment.snapshot();
-    const std::string here = told(environment);
+    const std::string here = shown_to_agent(environment);
     const Scene scene = environment.scene();
 
     Environment clone = environment.clone();
@@ -126,16 +126,16 @@ TEST(AnEnvironment, IsLeftAloneByItsClonesAndComesBackToItsSnapshots) {
       said.push_back(agent.answer(clone));
       (void)clone.step(said.back());
     }
-    EXPECT_EQ(told(environment), here);
+    EXPECT_EQ(shown_to_agent(environment), here);
     EXPECT_TRUE(environment.scene() == scene);
     for (const std::string& one : said) (void)environment.step(one);
-    EXPECT_EQ(told(environment), told(clone)) << "both went the same way";
+    EXPECT_EQ(shown_to_agent(environment), shown_to_agent(clone)) << "both went the same way";
     EXPECT_TRUE(environment.scene() == clone.scene());
     environment.restore(snapshot);
-    EXPECT_EQ(told(environment), here);
+    EXPECT_EQ(shown_to_agent(environment), here);
     EXPECT_TRUE(environment.scene() == scene);
     for (const std::string& one : said) (void)environment.step(one);
-    EXPECT_EQ(told(environment), told(clone)) << "and again after going back";
+    EXPECT_EQ(shown_to_agent(environment), shown_to_agent(clone)) << "and again after going back";
   }
 }
 
@@ -251,11 +251,11 @@ TEST(AnEnvironment, AnswersAlikeInM2ForWhatDoesNotExistAndWhatWasNotSeen) {
     Environment a = environment.clone(), b = environment.clone();
     const StepResult of_unseen = a.step(say(std::string(action.name), unseen));
     const StepResult of_nothing = b.step(say(std::string(action.name), nothing));
-    const auto told_of = [](const Environment& one, std::string text, const std::string& id) {
+    const auto shown_about = [](const Environment& one, std::string text, const std::string& id) {
       for (auto at = text.find(id); at != std::string::npos; at = text.find(id)) text.replace(at, id.size(), "it");
       return text + std::to_string(one.privileged().failures);
     };
-    EXPECT_EQ(told_of(a, told(a), unseen), told_of(b, told(b), nothing));
+    EXPECT_EQ(shown_about(a, shown_to_agent(a), unseen), shown_about(b, shown_to_agent(b), nothing));
     EXPECT_EQ(of_unseen.executed.front().outcome.feedback, of_nothing.executed.front().outcome.feedback);
     EXPECT_FALSE(of_unseen.executed.front().outcome.success);
   }
@@ -267,7 +267,7 @@ TEST(AnEnvironment, RepeatsNoIdToAnAgentInM3ThatGuessesOne) {
         std::string("mug_1"), std::string(R"({"action": "mug_1"})")}) {
     Environment environment = house_environment(settings_for(Mode::M3));
     const StepResult step = environment.step(said);
-    const std::string all = told(environment) + step.executed.front().outcome.feedback;
+    const std::string all = shown_to_agent(environment) + step.executed.front().outcome.feedback;
     EXPECT_EQ(all.find("mug_1"), std::string::npos) << all;
     EXPECT_EQ(all.find("fridge_1"), std::string::npos) << all;
     EXPECT_FALSE(*step.observation.last->success);

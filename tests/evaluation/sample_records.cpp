@@ -67,7 +67,7 @@ EvaluationManifest sample_manifest() {
   setup.program_build = "GNU 12.2.0, Release";
   setup.knowledge_digest = std::string(64, 'b');
   setup.dataset = {"benchmark", "unietp-1.0", std::string(64, 'c'), 536};
-  setup.agent = {"model", "some-model"};
+  setup.agent = {AgentKind::Model, "some-model"};
   setup.selection.modes = {Mode::M1, Mode::M2};
   setup.selection.splits = {"atomic"};
   setup.selection.simulators = {"ai2thor", "habitat"};

@@ -24,7 +24,7 @@ void box_open(Scene& s) { set_state(s, "box_1", Predicate::Open); }
 void dresser_open(Scene& s) { set_state(s, "dresser_1", Predicate::Open); }
 void cooled_mug(Scene& s) { set_state(s, "mug_1", Predicate::Cool); }
 
-// One for each shape of the goal catalogue that the actions of this backend can reach.
+// One for each shape of the goal catalog that the actions of this backend can reach.
 const HouseCase kGoalCases[] = {
     {"open", "(exists (?x - Fridge) (at-end (open ?x)))"},
     {"close", "(exists (?x - Fridge) (at-end (closed ?x)))", open_fridge},

@@ -35,7 +35,7 @@ struct HouseCase {
   void (*edit)(Scene&) = nullptr;
 };
 void PrintTo(const HouseCase& c, std::ostream* out);
-/// Stands it on a height; metres.
+/// Stands it on a height; meters.
 void move_to(Scene& scene, const std::string& id, double x, double y, double z);
 void mug_in_fridge(Scene& scene);
 void all_dirty(Scene& scene);

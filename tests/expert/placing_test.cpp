@@ -52,7 +52,7 @@ TEST_F(Placing, TakesTheNeighbourToWhereThereIsRoomBesideIt) {
   EXPECT_THAT(steps, HasSubstr("pick_up(potato_1)"));
 }
 
-/// A table of four metres, all of it taken but for one end.
+/// A table of four meters, all of it taken but for one end.
 Scene with_a_long_table(const Knowledge& knowledge) {
   Scene scene = house_with({"plate_1"});
   edit_node(scene, "plate_1")->pose.position = Vec3(2.3, 3.5, 0.914);  // on the counter
@@ -254,7 +254,7 @@ TEST_F(Placing, ShutsABoxThatDoesNotFitWithItsLidUp) {
   Scene scene = house_with({"box_1", "apple_1"});
   add(scene, knowledge, "countertop_2", "CounterTop", 8.5, 3.5, 0).size = {0.6, 0.6, 0.3};
   Node& above = scene.nodes.edit(scene.nodes.size() - 1);
-  above.pose.position.z() = 0.6 + 0.26 + 0.15;  // a quarter of a metre over the table
+  above.pose.position.z() = 0.6 + 0.26 + 0.15;  // a quarter of a meter over the table
   add(scene, knowledge, "countertop_3", "CounterTop", 8.5, 0.5, 0).size = {0.6, 0.6, 0.3};
   scene.nodes.edit(scene.nodes.size() - 1).pose.position.z() = 0.6 + 0.26 + 0.15;
   const std::string steps = plan(

@@ -41,7 +41,7 @@ bool chat_body(std::string_view text);
 bool episode_body(std::string_view text);
 bool evaluation_body(std::string_view text);  // its manifest
 bool prompt_body(std::string_view text);
-/// What a batch service hands back for texts and judgements, and what a server may say of when to ask again.
+/// What a batch service hands back for texts and judgments, and what a server may say of when to ask again.
 bool answers_body(std::string_view text);
 /// A simulator's own JSON file.
 bool metadata_body(std::string_view text);

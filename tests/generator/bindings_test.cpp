@@ -41,7 +41,7 @@ std::vector<Binding> bindings_by_brute_force(const Template& source, const Knowl
 TEST(EnumerateBindings, FindsExactlyWhatBruteForceFinds) {
   const auto knowledge = small_home(Simulator::Ai2thor);
   for (const auto& source : library()) {
-    if (source.parameters.size() > 3 || !is_meant_for(source, Simulator::Ai2thor))
+    if (source.parameters.size() > 3 || !supports(source, Simulator::Ai2thor))
       continue;  // 22^4 combinations take too long here
     SCOPED_TRACE(source.name);
     EXPECT_EQ(enumerate_bindings(source, knowledge, 100000), bindings_by_brute_force(source, knowledge));
@@ -67,7 +67,7 @@ TEST(SampleBinding, MeetsTheConstraintsForEverySeedAndTemplateThatTheHomeCanFill
   const auto knowledge = small_home(Simulator::Ai2thor);
   std::size_t filled = 0;
   for (const auto& source : library()) {
-    if (!is_meant_for(source, Simulator::Ai2thor)) continue;
+    if (!supports(source, Simulator::Ai2thor)) continue;
     SCOPED_TRACE(source.name);
     const bool fills = !enumerate_bindings(source, knowledge, 1).empty();
     filled += fills ? 1 : 0;

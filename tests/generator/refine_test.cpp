@@ -83,7 +83,7 @@ TEST_P(ReferringKind, SinglesOutWhatIsMeantAndLeavesADistractorInEveryStart) {
   const auto knowledge = small_home(Simulator::Ai2thor);
   std::size_t starts = 0, refined_goals = 0;
   for (const auto& source : library()) {
-    if (!is_meant_for(source, Simulator::Ai2thor) || !source.refinement.empty()) continue;
+    if (!supports(source, Simulator::Ai2thor) || !source.refinement.empty()) continue;
     SCOPED_TRACE(source.name);
     for (std::uint64_t seed = 0; seed < 3; ++seed) {
       const auto binding = sample_binding(source, knowledge, {}, Rng(seed).fork(source.name, 0));

@@ -133,13 +133,13 @@ const Template& library_template(const std::string& name) {
   return *found;
 }
 
-bool is_meant_for(const Template& source, Simulator simulator) {
+bool supports(const Template& source, Simulator simulator) {
   return std::find(source.simulators.begin(), source.simulators.end(), simulator) != source.simulators.end();
 }
 
 namespace {
 
-/// Rooms, neighbours, colours, materials, and sizes and nearness from volumes and places along a line.
+/// Rooms, neighbors, colors, materials, and sizes and nearness from volumes and places along a line.
 void draw_comparisons(const EntityList& entities, const Knowledge& knowledge, Rng& rng, Facts& facts) {
   using enum Predicate;
   std::vector<int> volume, place;
@@ -163,7 +163,7 @@ void draw_comparisons(const EntityList& entities, const Knowledge& knowledge, Rn
         large = large && 10 * volume[x.index()] >= 13 * volume[y.index()];
         small = small && 10 * volume[y.index()] >= 13 * volume[x.index()];
       }
-      bool nearest = true;  // in tenths of a metre
+      bool nearest = true;  // in tenths of a meter
       for (EntityIndex z; z.index() < entities.size(); ++z) {
         if (z == x || z == y || entities[z].category != entities[x].category) continue;
         const int own = std::abs(place[x.index()] - place[y.index()]),

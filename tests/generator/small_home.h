@@ -16,7 +16,7 @@ Knowledge small_home(Simulator simulator);
 const std::vector<Template>& library();
 const Template& library_template(const std::string& name);
 
-bool is_meant_for(const Template& source, Simulator simulator);
+bool supports(const Template& source, Simulator simulator);
 
 /// An independent reading of the constraints of a template over the tables of `knowledge`, by scanning their rows.
 bool fits_by_scan(const Template& source, const Binding& binding, const Knowledge& knowledge);

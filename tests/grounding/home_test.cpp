@@ -17,7 +17,7 @@
 namespace unietp {
 namespace {
 
-/// A few things moved, opened, added, taken out (the last gets their place) and coloured at random, settled or not.
+/// A few things moved, opened, added, taken out (the last gets their place) and colored at random, settled or not.
 Scene grown_out_of(const Scene& home, Rng rng) {
   Scene scene = home;
   for (int change = 0; change < 5; ++change) {

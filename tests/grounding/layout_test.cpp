@@ -207,7 +207,7 @@ TEST_P(EveryHome, HasNoTwoBodiesInOneAnother) {
       for (std::size_t j = i + 1; j < solids.size(); ++j) {
         if (solids[i].node == solids[j].node) continue;
         if ((solids[i].centre - solids[j].centre).norm() > solids[i].half.norm() + solids[j].half.norm()) continue;
-        // Physics lets resting bodies sink into one another by a fraction of a millimetre.
+        // Physics lets resting bodies sink into one another by a fraction of a millimeter.
         EXPECT_LT(depth_of(solids[i], solids[j]), 1.5e-3)
             << home.nodes[solids[i].node].id << " and " << home.nodes[solids[j].node].id;
       }

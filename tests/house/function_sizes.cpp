@@ -1,49 +1,23 @@
 #include "function_sizes.h"
 
 #include <algorithm>
-#include <cctype>
 #include <regex>
 
+#include "code_pieces.h"
 #include "core/text.h"
 
 namespace unietp {
 namespace {
 
-bool is_name_char(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-
-/// The place behind a comment, a string or a character that begins at `at`; `at` where none does.
-std::size_t behind_literal(std::string_view code, std::size_t at) {
-  const auto behind = [&](std::string_view end, std::size_t from) {
-    const auto found = code.find(end, from);
-    return found == std::string_view::npos ? code.size() : found + end.size();
-  };
-  const bool after_name = at > 0 && is_name_char(code[at - 1]);
-  const std::string_view rest = code.substr(at);
-  if (rest.starts_with("//")) return std::min(code.find('\n', at), code.size());
-  if (rest.starts_with("/*")) return behind("*/", at + 2);
-  if (rest.starts_with("R\"") && !after_name) {
-    const auto open = code.find('(', at);
-    return behind(")" + std::string(code.substr(at + 2, open - at - 2)) + "\"", open);
-  }
-  if (rest.front() != '"' && (rest.front() != '\'' || after_name)) return at;
-  std::size_t end = at + 1;
-  while (end < code.size() && code[end] != code[at]) end += code[end] == '\\' ? 2 : 1;
-  return std::min(end + 1, code.size());
-}
-
 /// The code without comments, literals and preprocessor lines, each line where it was.
 std::string bare(std::string_view code) {
   std::string kept;
-  for (std::size_t at = 0; at < code.size();) {
-    const auto behind = behind_literal(code, at);
-    if (behind == at) {
-      kept += code[at++];
-      continue;
+  for (const CodePiece& piece : pieces_of(code)) {
+    if (piece.kind == CodePiece::Kind::Code) {
+      kept += piece.text;
+    } else {
+      kept.append(static_cast<std::size_t>(std::count(piece.text.begin(), piece.text.end(), '\n')), '\n');
     }
-    kept.append(static_cast<std::size_t>(std::count(code.begin() + static_cast<std::ptrdiff_t>(at),
-                                                    code.begin() + static_cast<std::ptrdiff_t>(behind), '\n')),
-                '\n');
-    at = behind;
   }
   std::string without_directives;
   bool goes_on = false;

@@ -1,43 +1,25 @@
 // How large a file and a function may be, so that each holds one idea.
 #include <algorithm>
-#include <filesystem>
-#include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/files.h"
-#include "core/text.h"
 #include "function_sizes.h"
-#include "includes.h"
+#include "source_files.h"
 
 namespace unietp {
 namespace {
 
-namespace fs = std::filesystem;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
 constexpr std::ptrdiff_t kFileLines = 480;
 constexpr int kFunctionLines = 80;
 
-std::vector<fs::path> source_files() {
-  const fs::path source = UNIETP_SOURCE_DIR;
-  std::vector<std::string> folders{"tests", "bench", "python"};
-  for (const auto& room : read_room_graph(*read_file(UNIETP_ROOM_GRAPH)).rooms) folders.push_back(room);
-  const std::set<fs::path> languages{".cpp", ".h", ".py"};
-  std::vector<fs::path> files;
-  for (const auto& folder : folders) {
-    if (!fs::exists(source / folder)) continue;
-    for (const auto& entry : fs::recursive_directory_iterator(source / folder))
-      if (languages.contains(entry.path().extension())) files.push_back(entry.path());
-  }
-  return files;
-}
-
 TEST(Sizes, NoFileAndNoFunctionIsTooLong) {
   std::size_t functions = 0;
-  for (const auto& file : source_files()) {
+  for (const auto& file : source_files({".cpp", ".h", ".py"})) {
     const auto text = read_file(file);
     ASSERT_TRUE(text) << file;
     EXPECT_LE(std::count(text->begin(), text->end(), '\n'), kFileLines) << file;

@@ -1,4 +1,4 @@
-// New tasks without end: each is proven, depends on its seed alone, and costs little in a home that is there.
+// New tasks without end: each is proven, depends only on its seed, and costs little in a home that is there.
 #include <set>
 
 #include <gmock/gmock.h>

@@ -86,7 +86,7 @@ TEST(DatasetReader, AnEmptyLineIsRefusedWhereItStands) {
 TEST(DatasetReader, ACarriageReturnIsRefused) {
   const SmallSet set;
   set.write({task_line("a") + "\r"}, shown({"a"}));
-  EXPECT_THAT(read_strictly(set), ElementsAre("tasks.jsonl:1: schema error: ends in CR LF; expected LF alone"));
+  EXPECT_THAT(read_strictly(set), ElementsAre("tasks.jsonl:1: schema error: ends in CR LF; expected only LF"));
 }
 
 TEST(DatasetReader, ALastLineWithoutItsEndIsRefused) {

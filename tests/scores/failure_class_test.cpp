@@ -24,7 +24,7 @@ const char* const kMugOnTable = "(exists (?x - Mug) (exists (?y - SideTable) (at
 std::vector<std::string> classes(const PlayedEpisode& episode, const SharedTask& task,
                                  std::optional<int> shortest = std::nullopt) {
   EXPECT_THAT(differences(episode.record, episode.replayed, *task), IsEmpty());
-  return settled(score_episode(episode.record, episode.replayed, *task, false), shortest).classes;
+  return finalize_score(score_episode(episode.record, episode.replayed, *task, false), shortest).classes;
 }
 
 /// All classes of what an agent says in M1.

@@ -32,7 +32,7 @@ std::vector<std::vector<std::string>> published(const std::string& name) {
 ScoredRun planted(const std::string& name, const std::vector<std::array<int, 5>>& solved) {
   ScoredRun run;
   run.name = name;
-  run.manifest.setup.agent = {"model", name};
+  run.manifest.setup.agent = {AgentKind::Model, name};
   run.manifest.setup.dataset = {"benchmark", "unietp-1.0", std::string(64, 'a'), 536};
   run.manifest.setup.program_version = "0.1.0";
   for (std::size_t mode = 0; mode < solved.size(); ++mode) {

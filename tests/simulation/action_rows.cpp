@@ -132,7 +132,7 @@ class Table {
 };
 
 void moving(Table& t) {
-  // Each way along +x, where the floor is free for a step of a metre.
+  // Each way along +x, where the floor is free for a step of a meter.
   for (const auto& [move, yaw] :
        {std::pair{MoveForward, 0.0}, std::pair{MoveBackward, std::numbers::pi},
         std::pair{MoveLeft, -std::numbers::pi / 2}, std::pair{MoveRight, std::numbers::pi / 2}}) {

@@ -18,7 +18,7 @@ struct ActionRow {
   std::function<bool(const Scene&)> effect = nullptr;  // of a success
 };
 
-/// Rows for every action of the catalogue in the wide kitchen.
+/// Rows for every action of the catalog in the wide kitchen.
 std::vector<ActionRow> action_rows();
 
 }  // namespace unietp::testing

@@ -224,7 +224,7 @@ TEST_P(ACamera, AmongManyThingsOfAllSizesSeesWhatALookAtAllOfThemSees) {
   EXPECT_GT(seen, 300U);
 }
 
-/// Things strewn among closets of a metre, some of which stand open to each other.
+/// Things strewn among closets of a meter, some of which stand open to each other.
 TEST_P(ACamera, AmongManyWallsListsExactlyWhatARayThroughEveryPixelFinds) {
   const Profile profile = profile_of(GetParam());
   Rng rng(11);

@@ -55,7 +55,7 @@ TEST_F(InAi2thor, TheBodyStopsAtFurnitureAndWalls) {
   World world = start();  // looks along +x from (1.5, 2.3)
   expect(world, ActionType::TurnLeft);
   expect(world, ActionType::TurnLeft);
-  expect(world, ActionType::TurnLeft);  // towards the counter
+  expect(world, ActionType::TurnLeft);  // toward the counter
   int steps = 0;
   while (steps < 20 && world.step({ActionType::MoveForward, {}}).success) ++steps;
   EXPECT_LT(world.scene().agent.position.y(), 3.3 - profile_.body_radius_m + 1e-9);

@@ -20,9 +20,9 @@ TEST(Contrast, TellsColoursMaterialsAndStatesApartThatPicturesShow) {
   metal.material = "metal";
   wooden.material = "wood";
   dirty.states.set({Predicate::Dirty, ""});
-  EXPECT_TRUE(told_apart(contrast_of(red, blue, Simulator::Ai2thor)));
-  EXPECT_TRUE(told_apart(contrast_of(metal, wooden, Simulator::Ai2thor)));
-  EXPECT_TRUE(told_apart(contrast_of(mug(), dirty, Simulator::Ai2thor)));
+  EXPECT_TRUE(distinguishable(contrast_of(red, blue, Simulator::Ai2thor)));
+  EXPECT_TRUE(distinguishable(contrast_of(metal, wooden, Simulator::Ai2thor)));
+  EXPECT_TRUE(distinguishable(contrast_of(mug(), dirty, Simulator::Ai2thor)));
 }
 
 TEST(Contrast, DoesNotTellApartWhatLooksTheSame) {
@@ -32,7 +32,7 @@ TEST(Contrast, DoesNotTellApartWhatLooksTheSame) {
   const Contrast none = contrast_of(clear, transparent, Simulator::Ai2thor);
   EXPECT_EQ(none.mean, 0);
   EXPECT_EQ(none.clear, 0);
-  EXPECT_FALSE(told_apart(none));
+  EXPECT_FALSE(distinguishable(none));
 }
 
 TEST(Contrast, ComparesAThingWithItselfAsAnotherOneIs) {

@@ -104,7 +104,7 @@ class Feedback : public ::testing::Test {
     }
     seen_.insert(result.failure);
   }
-  void expect_told(const Scene& scene, const Outcome& outcome, Failure failure) {
+  void expect_failure(const Scene& scene, const Outcome& outcome, Failure failure) {
     EXPECT_EQ(name_of(outcome.failure), name_of(failure)) << outcome.feedback;
     expect_no_id(scene, outcome.feedback);
     seen_.insert(outcome.failure);
@@ -148,18 +148,18 @@ TEST_F(Feedback, InM2AndM3HoldsNoIdForAnyKindOfFailureAndAnyIds) {
   scene.edges = read_relations(scene);
   scene.agent.pitch = -0.5;
   ModeEpisode m2(setting.world_of(scene), Mode::M2), m3(setting.world_of(scene), Mode::M3);
-  expect_told(scene, m2.step(say("mug_2")), Failure::InvalidAction);
-  expect_told(scene, m2.step(say("heat_with", "microwave_1")), Failure::NotOffered);
-  expect_told(scene, m2.step(say("sit_on", "fridge_1")), Failure::NotOffered);
-  expect_told(scene, m2.step(say("turn_left", "mug_1")), Failure::InvalidArgument);
-  expect_told(scene, m2.step(say("pick_up", "mug_2")), Failure::NotSeenYet);
-  expect_told(scene, m2.step(say("go_to", "mug_2")), Failure::NotInView);
-  expect_told(scene, m2.step(say("go_to", PixelBox{0, 0, 9, 9})), Failure::InvalidArgument);
-  expect_told(scene, m2.step(say("pick_up", "unicorn_1")), Failure::NotSeenYet);
-  expect_told(scene, m3.step(say("mug_2")), Failure::InvalidAction);
-  expect_told(scene, m3.step(say("go_to", "mug_2")), Failure::InvalidArgument);
-  expect_told(scene, m3.step(say("go_to", PixelBox{-9, -9, -8, -8})), Failure::NoObjectThere);
-  expect_told(scene, m3.step(say("turn_left", "kitchen_1")), Failure::InvalidArgument);
+  expect_failure(scene, m2.step(say("mug_2")), Failure::InvalidAction);
+  expect_failure(scene, m2.step(say("heat_with", "microwave_1")), Failure::NotOffered);
+  expect_failure(scene, m2.step(say("sit_on", "fridge_1")), Failure::NotOffered);
+  expect_failure(scene, m2.step(say("turn_left", "mug_1")), Failure::InvalidArgument);
+  expect_failure(scene, m2.step(say("pick_up", "mug_2")), Failure::NotSeenYet);
+  expect_failure(scene, m2.step(say("go_to", "mug_2")), Failure::NotInView);
+  expect_failure(scene, m2.step(say("go_to", PixelBox{0, 0, 9, 9})), Failure::InvalidArgument);
+  expect_failure(scene, m2.step(say("pick_up", "unicorn_1")), Failure::NotSeenYet);
+  expect_failure(scene, m3.step(say("mug_2")), Failure::InvalidAction);
+  expect_failure(scene, m3.step(say("go_to", "mug_2")), Failure::InvalidArgument);
+  expect_failure(scene, m3.step(say("go_to", PixelBox{-9, -9, -8, -8})), Failure::NoObjectThere);
+  expect_failure(scene, m3.step(say("turn_left", "kitchen_1")), Failure::InvalidArgument);
   for (std::size_t kind = 1; kind < kFailureCount; ++kind) {
     EXPECT_TRUE(seen_.contains(static_cast<Failure>(kind))) << name_of(static_cast<Failure>(kind));
   }

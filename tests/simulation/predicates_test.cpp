@@ -117,7 +117,7 @@ std::map<Predicate, Pair> pairs() {
 }
 
 /// Everything movable that is not held falls to where it rests.
-Scene settled(Scene scene) {
+Scene at_rest(Scene scene) {
   PhysicsWorld world = physics_of(scene);
   std::vector<BodyId> loose;
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
@@ -157,7 +157,7 @@ TEST_P(PredicatePairs, WhatIsSetReadsTrueAndItsReverseDoesNot) {
     Scene scene = testing::wide_kitchen(GetParam());
     found->second.set(scene);
     // Through its file, physics and a world: what a reader of the data set would see.
-    const auto read = scene_from_json("scene", scene_to_json(settled(scene)));
+    const auto read = scene_from_json("scene", scene_to_json(at_rest(scene)));
     ASSERT_TRUE(read) << format(read.error());
     const auto world = World::create(*read, knowledge, profile);
     ASSERT_TRUE(world) << format(world.error());

@@ -18,7 +18,7 @@
 namespace unietp {
 namespace {
 
-constexpr double kDeepest_m = 0.004;  // resting contacts of a rigid-body solver sink by up to millimetres
+constexpr double kDeepest_m = 0.004;  // resting contacts of a rigid-body solver sink by up to millimeters
 
 bool finite(const Node& node) { return node.pose.position.allFinite() && node.pose.rotation.coeffs().allFinite(); }
 

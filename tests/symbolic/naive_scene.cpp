@@ -18,7 +18,7 @@ constexpr int kDraws = 200;
 std::set<std::string> names_of(const Specification& specification, const Knowledge& knowledge) {
   std::set<std::string> names;
   for (const auto& [placeholder, category] : specification.binding) {
-    if (knowledge.find(category) != nullptr) names.insert(category);  // not a colour or a material
+    if (knowledge.find(category) != nullptr) names.insert(category);  // not a color or a material
   }
   for (const auto& name : categories_of(specification.goal)) names.insert(name);
   for (const auto& start : specification.init) {
@@ -115,13 +115,13 @@ void read_coats(const Formula& formula, const Rules& rules, std::vector<Substanc
   for (const auto& child : formula.children) read_coats(child, rules, coats);
 }
 
-bool all_are_meant(const Formula& formula, const std::string& category) {
+bool is_about_all(const Formula& formula, const std::string& category) {
   const auto& members = formula.domain.members;
   const bool speaks =
       std::any_of(members.begin(), members.end(), [&](const auto& m) { return m.category == category; });
   return (formula.op == Formula::Op::Forall && speaks) ||
          std::any_of(formula.children.begin(), formula.children.end(),
-                     [&](const Formula& child) { return all_are_meant(child, category); });
+                     [&](const Formula& child) { return is_about_all(child, category); });
 }
 
 /// How many of a category fit into the smallest place that any of them has.
@@ -192,7 +192,7 @@ NaiveScenes::NaiveScenes(const Specification& specification, const Knowledge& kn
       if (start.op == Formula::Op::Count && start.children.front().op == Formula::Op::Atom) different += start.number;
     }
     demanded_.push_back(most);
-    const bool all = all_are_meant(specification.goal, category);
+    const bool all = is_about_all(specification.goal, category);
     limits_.push_back(all ? std::max(different, room_for(rules_, category)) : kMany);
   }
 }

@@ -30,7 +30,7 @@ void edit_nodes(Scene& home, auto edit) {
 /// Single ones of these, by themselves.
 Scene mirrored(Scene home, Rng rng);
 Scene renumbered(Scene home, Rng rng);
-/// Every object moved by up to so many metres along each wall.
+/// Every object moved by up to so many meters along each wall.
 Scene shaken(Scene home, Rng rng, double most_m);
 /// Only some rooms with what is in them, the first ones.
 Scene with_rooms(Scene home, std::size_t count);
