@@ -31,7 +31,7 @@ class BeliefExpert {
         profile_(profile_of_m2(problem.profile)),
         belief_(window.known_scene(), needs_, relevant()),
         order_(window.known_scene(), problem.knowledge, problem.usual, needs_.shut, profile_.turn_deg),
-        known_world_(problem, window) {}
+        known_world_(problem.knowledge, problem.profile, window) {}
 
   std::optional<Trouble> run() {
     see();

@@ -13,13 +13,13 @@ const std::array<Vec2, 4> kAside_m{Vec2{0.05, 0}, Vec2{-0.05, 0}, Vec2{0, 0.05},
 }  // namespace
 
 KnownHome& KnownWorld::home() {
-  if (!home_) home_ = std::make_unique<KnownHome>(window_.known_scene(), problem_.profile);
+  if (!home_) home_ = std::make_unique<KnownHome>(window_.known_scene(), profile_);
   return *home_;
 }
 
 const World* KnownWorld::world() {
   if (!world_) {
-    auto made = World::create(window_.known_scene(), problem_.knowledge, problem_.profile, home().start());
+    auto made = World::create(window_.known_scene(), knowledge_, profile_, home().start());
     if (!made) return nullptr;
     world_ = std::make_unique<World>(std::move(*made));
   }

@@ -4,9 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "expert/belief_expert.h"
+#include "akb/knowledge.h"
 #include "expert/known_home.h"
 #include "expert/search_order.h"
+#include "expert/window.h"
+#include "simulation/profile.h"
 #include "simulation/world.h"
 
 namespace unietp {
@@ -19,8 +21,9 @@ inline constexpr double kStray_m = 0.01;
 /// does from then on. Where it cannot be built, everything is taken to work.
 class KnownWorld {
  public:
-  /// Both must outlive it.
-  KnownWorld(const SearchProblem& problem, const Window& window) : problem_(problem), window_(window) {}
+  /// All must outlive it.
+  KnownWorld(const Knowledge& knowledge, const Profile& profile, const Window& window)
+      : knowledge_(knowledge), profile_(profile), window_(window) {}
 
   /// What is computed once of the home that is known from the start.
   KnownHome& home();
@@ -44,7 +47,8 @@ class KnownWorld {
   /// nullptr where it cannot be built.
   const World* world();
 
-  const SearchProblem& problem_;
+  const Knowledge& knowledge_;
+  const Profile& profile_;
   const Window& window_;
   std::unique_ptr<KnownHome> home_;
   std::unique_ptr<World> world_;
