@@ -214,7 +214,8 @@ TEST_F(LlmWriter, ADryRunShowsTheFirstRoundAndAsksNothing) {
 
 TEST_F(LlmWriter, AsksForWhatTheGrammarSaysWithExamplesOfIts) {
   constexpr const char* kOrder =
-      "(exists (?a - Mug) (exists (?b - Table) (and (before (filled ?a water) (on ?a ?b)) (at-end (on ?a ?b)))))";
+      "(exists (?a - Mug) (exists (?b - Table) (and (before (clean ?a) (on ?a ?b)) (at-end (and (clean ?a) (on ?a "
+      "?b))))))";
   const auto requests = first_requests({task(kOrder)}, {});
   ASSERT_EQ(requests.size(), 1U);
   const std::string& rules = requests[0].system;

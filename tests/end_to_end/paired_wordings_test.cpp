@@ -164,11 +164,7 @@ TEST_F(PairedWordings, AWordingThatIsThereTwiceOrMeansSomethingElseIsRefused) {
 /// The text of the first task is a person's and stays, but its goal has no words, so that its wordings fail.
 TEST_F(PairedWordings, PairsThatFailLeaveNothingBehind) {
   auto tasks = json_lines(data() / "tasks.jsonl");
-  std::string goal = "(at-end (open ?m0))";
-  for (int i = 0; i < 14; ++i)
-    goal = "(exists (?m" + std::to_string(i) + " - Fridge) (and (at-end (dirty ?m" + std::to_string(i) + ")) " + goal +
-           "))";
-  tasks[0]["goal"]["text"] = goal;
+  tasks[0]["goal"]["text"] = "(exists (?a - Unnamed) (at-end (open ?a)))";
   tasks[0]["instruction"]["writer"] = "person";
   write_lines("tasks.jsonl", tasks);
   const auto before = bytes_below(folder_.path());

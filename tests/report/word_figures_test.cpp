@@ -34,7 +34,7 @@ TEST(WordFigures, CountTheWordsForEachPartOfTheGoal) {
   const auto figures =
       word_figures({{"atomic", "Wash a mug and put it in the sink.", false, 2},
                     {"logical", "Wash the mug that I left next to the sink in the kitchen.", false, 1}});
-  EXPECT_DOUBLE_EQ(figures.words_for_each_part, (9 + 12) / 3.0);
+  EXPECT_DOUBLE_EQ(figures.words_for_each_part, (9 + 13) / 3.0);
   EXPECT_DOUBLE_EQ(figures.over_9_for_each_part, 0.5);
   const auto parts = [](const char* goal) { return parts_of(*parse_formula("goal", goal, FormulaUse::Goal)); };
   EXPECT_EQ(parts("(exists (?a - Mug) (at-end (clean ?a)))"), 1);
