@@ -8,6 +8,7 @@
 #include "annotator/function_phrases.h"
 #include "annotator/judge.h"
 #include "annotator/meaning.h"
+#include "annotator/other_wordings.h"
 #include "annotator/phenomena.h"
 #include "annotator/spelling.h"
 #include "annotator/style.h"
@@ -18,8 +19,8 @@
 namespace unietp {
 namespace {
 
-constexpr std::uint64_t kSamples = 3;  // example wordings in a prompt
-constexpr int kReadings = 2;           // attempts of the judge to give a valid formula
+constexpr std::size_t kSamples = 3;  // example wordings in a prompt
+constexpr int kReadings = 2;         // attempts of the judge to give a valid formula
 
 /// The state of one task over the rounds.
 struct Draft {
@@ -45,18 +46,7 @@ class Rounds {
       draft.task = task;
       if (!spelling_) draft.done = spelling_.error();
       draft.narrowed = narrowed_for(task.specification, *task.knowledge, *task.nouns);
-      for (std::uint64_t i = 0; i < kSamples && !draft.done; ++i) {
-        const Rng rng = i == 0 ? task.rng : task.rng.fork("sample", i);
-        auto sample =
-            write_instruction(task.specification, *task.knowledge, *task.nouns,
-                              {options.phrasings, task.categories, task.home.get(), task.phrasings_of_template}, rng);
-        if (!sample) {
-          draft.done = sample.error();
-          break;
-        }
-        draft.samples.push_back(sample->text);
-        if (!draft.grammar) draft.grammar = std::move(*sample);
-      }
+      if (!draft.done) add_samples(draft);
       drafts_.push_back(std::move(draft));
     }
   }
@@ -84,6 +74,22 @@ class Rounds {
   }
 
  private:
+  /// The grammar's text and others of its that differ.
+  void add_samples(Draft& draft) const {
+    const WordingTask& task = draft.task;
+    const WritingOptions writing{options_.phrasings, task.categories, task.home.get(), task.phrasings_of_template};
+    auto text = write_instruction(task.specification, *task.knowledge, *task.nouns, writing, task.rng);
+    if (!text) {
+      draft.done = text.error();
+      return;
+    }
+    draft.samples = {text->text};
+    for (Instruction& other : other_wordings(task.specification, *task.knowledge, *task.nouns, writing, {text->text},
+                                             kSamples - 1, task.rng.fork("sample", 0)))
+      draft.samples.push_back(std::move(other.text));
+    draft.grammar = std::move(*text);
+  }
+
   bool any_open() const {
     return std::any_of(drafts_.begin(), drafts_.end(), [](const Draft& draft) { return !draft.done; });
   }

@@ -94,7 +94,7 @@ std::string with_article(const std::string& noun) {
   const std::string word = lower(noun);
   const auto starts = [&](std::string_view head) { return word.starts_with(head); };
   bool vowel = starts_with_vowel_letter(word);
-  for (const char* you : {"uni", "use", "usu", "ute", "uku", "ura", "euro", "ewe", "one", "once"})
+  for (const char* you : {"uni", "usb", "use", "usu", "ute", "uku", "ura", "euro", "ewe", "one", "once"})
     if (starts(you)) vowel = false;  // spoken "you…", "w…"
   for (const char* like_un : {"unin", "unim"})
     if (starts(like_un)) vowel = true;

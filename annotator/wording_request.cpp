@@ -10,13 +10,17 @@ namespace {
 
 constexpr const char* kField = "instruction";
 
+/// The register of people's own words, as the grammar has it.
 constexpr const char* kRules =
-    "You word tasks for a household robot, in natural English as a person at home would say them. Say every object, "
-    "number, quantifier, order, state, place and description of the goal, and demand nothing else. Things that the "
-    "goal "
-    "speaks of without saying which may be any: 'a mug'. Never write ids such as mug_3, coordinates, names of "
-    "templates, "
-    "formulas or markup. Answer with JSON: {\"instruction\": \"...\"}.";
+    "You word tasks for a household robot as people ask for things at home: short imperatives with everyday names, "
+    "like "
+    "the wordings that you are shown. Say 'the' for what the home has one of, and 'a' or 'one of the' where it has "
+    "several and any will do; number words, not digits; 'it' or 'them' for what you have just named. Leave out all "
+    "that "
+    "is about the request itself ('I want you to', 'your task is', 'make sure that', 'at the end'). Do not be polite "
+    "('please', 'could you', 'kindly'), unless the style asks for it. Say every object, number, quantifier, order, "
+    "state, place and description of the goal, and demand nothing else. Never write ids such as mug_3, coordinates, "
+    "names of templates, formulas or markup. Answer with JSON: {\"instruction\": \"...\"}.";
 
 struct StyleWords {
   Style style;

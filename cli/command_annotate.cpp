@@ -34,6 +34,7 @@ void add_annotate_command(CommandParser& app, CommandLine& program) {
       {{"unietp annotate out/mine --seed 5", "other wordings by the grammar"},
        {"unietp annotate out/mine --phrasings benchmark", "phrases that never occur in training texts"},
        {"unietp annotate out/mine --english gb", "bin, tap and cooker for trash can, faucet and stove"},
+       {"unietp annotate out/mine --wordings 5", "wordings.jsonl with five texts of each task's goal"},
        {"unietp annotate out/mine --contrasts", "wordings.jsonl with minimal pairs"},
        {"unietp annotate out/mine --writer llm --llm-url http://localhost:8080/v1 --llm-model qwen2.5-7b", ""},
        {"unietp annotate out/mine --writer llm --llm-url URL --llm-model M --dry-run",
@@ -47,6 +48,11 @@ void add_annotate_command(CommandParser& app, CommandLine& program) {
   command->add_option("--seed", options->request.seed, "Seed of the wording (default: that of the data set)");
   command->add_flag("--paired", options->request.paired,
                     "Also write wordings.jsonl: a direct, a referring and a complex wording of each task");
+  command
+      ->add_option("--wordings", options->request.wordings,
+                   "The same, with this many different texts of each task's goal, or as many as the grammar has "
+                   "(default with --paired: 2)")
+      ->within(2, 50);
   command->add_flag("--contrasts", options->request.contrasts,
                     "The same, with a text that differs from the direct one in one word and asks for another goal");
   command->add_flag("--replace-human", options->request.replace_human,

@@ -33,6 +33,11 @@ void print_report(const AnnotateReport& report) {
   for (const auto& [writer, count] : report.by_writer) print_line("  " + std::to_string(count) + " by " + writer);
   for (const auto& [why, stand_ins] : report.stand_ins)
     print_line("  the grammar wrote " + std::to_string(stand_ins.tasks) + " instead (" + stand_ins.first + "): " + why);
+  for (const auto& [wordings, tasks] : report.pairs.tasks_by_wordings)
+    print_line("  " + std::to_string(tasks) + " tasks with " + std::to_string(wordings) +
+               (wordings == 1 ? " wording" : " wordings") + " of their goal");
+  if (report.pairs.contrasts > 0)
+    print_line("  " + std::to_string(report.pairs.contrasts) + " tasks with a contrast, which asks for another goal");
   if (report.by_people > 0)
     print_line("  " + std::to_string(report.by_people) + " by people, kept; --replace-human replaces them");
 }
@@ -186,7 +191,8 @@ Exit reword_dataset(const RewordRequest& request, const Resources& resources, co
   AnnotateOptions options;
   options.writer = *writer_named(choice.writer);
   options.seed = request.seed;
-  options.paired = request.paired || request.contrasts;
+  options.paired = request.paired || request.contrasts || request.wordings > 0;
+  if (request.wordings > 0) options.wordings = static_cast<std::size_t>(request.wordings);
   options.contrasts = request.contrasts;
   options.replace_human = request.replace_human;
   options.stand_in = choice.stand_in;

@@ -32,6 +32,7 @@ struct RewordRequest {
   std::filesystem::path folder, out;
   std::optional<std::uint64_t> seed;
   bool paired = false, contrasts = false, replace_human = false;
+  int wordings = 0;  // different texts of each task's goal; 0: not asked for
 };
 
 /// Rewrites the instructions of a data set and prints a summary. Exit::Wrong when answers are still missing; the data

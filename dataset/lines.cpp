@@ -193,6 +193,7 @@ std::string line_of(const WordingsEntry& wordings) {
     json["contrast"] = instruction_json(*wordings.contrast);
     json["contrast"]["goal"] = wordings.contrast_goal;
   }
+  for (const Instruction& other : wordings.others) json["others"].push_back(instruction_json(other));
   return dumped(json);
 }
 

@@ -84,7 +84,8 @@ struct WordingsEntry {
   std::string referring_goal;  // that `referring` states
   std::optional<Instruction> complex;
   std::optional<Instruction> contrast;
-  std::string contrast_goal;  // that `contrast` states
+  std::string contrast_goal;        // that `contrast` states
+  std::vector<Instruction> others;  // further texts that mean the task's goal, no two texts alike
 };
 /// Format `unietp-wordings/1`.
 std::string line_of(const WordingsEntry& wordings);

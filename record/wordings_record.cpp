@@ -33,6 +33,9 @@ Result<WordingsRecord> read_wordings(std::string_view where, int line, std::stri
     if (const auto f = fields.optional("referring")) record.wordings["referring"] = read_wording(reader, *f, true);
     if (const auto f = fields.optional("complex")) record.wordings["complex"] = read_wording(reader, *f, false);
     if (const auto f = fields.optional("contrast")) record.wordings["contrast"] = read_wording(reader, *f, true);
+    if (const auto f = fields.optional("others"))
+      for (std::size_t i = 0; i < reader.items(*f) && !reader.error(); ++i)
+        record.others.push_back(read_wording(reader, reader.item(*f, i), false));
   });
   if (!read) return read.error();
   return record;

@@ -20,6 +20,7 @@ struct WordingRecord {
 struct WordingsRecord {
   std::string task, pair;
   std::map<std::string, WordingRecord> wordings;  // "direct", and "referring", "complex", "contrast" if they exist
+  std::vector<WordingRecord> others;              // further ones of the task's goal
 };
 /// Errors: Parse with line and column; Schema with line and JSON pointer.
 Result<WordingsRecord> read_wordings(std::string_view where, int line, std::string_view text);

@@ -1,5 +1,7 @@
 #include "report/formula_census.h"
 
+#include <algorithm>
+
 namespace unietp {
 namespace {
 
@@ -52,7 +54,19 @@ void collect(const Formula& formula, FormulaCensus& census) {
   for (const Formula& child : formula.children) collect(child, census);
 }
 
+void collect_atoms(const Formula& formula, std::set<std::string>& atoms) {
+  if (formula.op == Formula::Op::Atom) atoms.insert(to_text(formula));
+  for (const Formula& where : formula.domain.where) collect_atoms(where, atoms);
+  for (const Formula& child : formula.children) collect_atoms(child, atoms);
+}
+
 }  // namespace
+
+int parts_of(const Formula& goal) {
+  std::set<std::string> atoms;
+  collect_atoms(goal, atoms);
+  return std::max(1, static_cast<int>(atoms.size()));
+}
 
 FormulaCensus census_of(const Formula& goal) {
   FormulaCensus census;

@@ -5,11 +5,13 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 #include "core/rng.h"
 #include "core/text.h"
 #include "record/dataset_reader.h"
+#include "report/formula_census.h"
 
 namespace unietp {
 namespace {
@@ -121,6 +123,17 @@ double divergence(const Bigrams& left, const Bigrams& right) {
 
 }  // namespace
 
+bool is_like_human_goals(std::string_view simulator, const Formula& goal) {
+  static const std::set<std::string> kOperators{"exists", "count", "and", "at-end"};
+  static const std::set<std::string> kPredicates{"on", "inside", "clean", "hot", "cool", "sliced", "slice_of"};
+  const FormulaCensus census = census_of(goal);
+  const auto within = [](const std::set<std::string>& some, const std::set<std::string>& all) {
+    return std::includes(all.begin(), all.end(), some.begin(), some.end());
+  };
+  return simulator == "ai2thor" && within(census.operators, kOperators) && within(census.predicates, kPredicates) &&
+         (census.predicates.contains("on") || census.predicates.contains("inside"));
+}
+
 Result<std::vector<CountedText>> counted_texts(const FinishedSet& set) {
   auto reader = DatasetReader::open(set.folder, {.modes = set.modes});
   if (!reader) return reader.error();
@@ -128,7 +141,9 @@ Result<std::vector<CountedText>> counted_texts(const FinishedSet& set) {
   const auto done = for_each_task<CountedText>(
       std::move(*reader), 1,
       [](const FinishedTask& task) -> Result<CountedText> {
-        return CountedText{task.record.split, task.record.instruction, task.record.phrasing > 0};
+        const TaskRecord& record = task.record;
+        return CountedText{record.split, record.instruction, record.phrasing > 0, parts_of(record.goal_tree),
+                           is_like_human_goals(record.simulator, record.goal_tree)};
       },
       [&](CountedText&& text) -> Result<Done> {
         texts.push_back(std::move(text));
@@ -142,7 +157,7 @@ WordFigures word_figures(const std::vector<CountedText>& texts) {
   WordFigures figures;
   std::map<std::string, std::pair<double, int>> lengths;
   std::map<std::string, int> openings;
-  int brief = 0, framed = 0, polite = 0, by_author = 0;
+  int brief = 0, framed = 0, polite = 0, by_author = 0, parts = 0, long_for_parts = 0;
   for (const CountedText& counted : texts) {
     const Words words = words_in(counted.text);
     if (words.empty()) continue;
@@ -158,8 +173,16 @@ WordFigures word_figures(const std::vector<CountedText>& texts) {
     polite += has_one_of(spaced, kPolite) ? 1 : 0;
     by_author += counted.by_author ? 1 : 0;
     ++openings[join(Words(words.begin(), words.begin() + std::min<std::ptrdiff_t>(3, std::ssize(words))), " ")];
-    for (std::size_t i = 0; i + 1 < words.size(); ++i) ++figures.bigrams[{words[i], words[i + 1]}];
+    parts += counted.parts;
+    long_for_parts += std::ssize(words) > 9 * counted.parts ? 1 : 0;
+    figures.texts_like_human += counted.like_human ? 1 : 0;
+    for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+      ++figures.bigrams[{words[i], words[i + 1]}];
+      if (counted.like_human) ++figures.like_human[{words[i], words[i + 1]}];
+    }
   }
+  if (parts > 0) figures.words_for_each_part = lengths["all"].first / parts;
+  figures.over_9_for_each_part = share(long_for_parts, figures.texts);
   for (const auto& [group, sum] : lengths) figures.mean_words[group] = sum.first / sum.second;
   std::vector<int> commonest;
   for (const auto& [opening, count] : openings) commonest.push_back(count);
@@ -257,11 +280,24 @@ std::string word_table(const std::vector<std::pair<std::string, WordFigures>>& s
       "polite", [&](const WordFigures& f) { return percent(f.polite); }, percent(of_people("polite")));
   row(
       "in phrasings of template authors", [&](const WordFigures& f) { return percent(f.by_author); }, "");
+  row(
+      "words for each part of the goal", [&](const WordFigures& f) { return decimal(f.words_for_each_part, 1); }, "");
+  row(
+      "more than 9 words for each part", [&](const WordFigures& f) { return percent(f.over_9_for_each_part); }, "");
   const int pairs = sets.empty() ? 0 : static_cast<int>(total_of(sets.front().second.bigrams));
   row(
       "divergence of word pairs (bits)",
       [&](const WordFigures& f) { return decimal(distance_to_human(f.bigrams, human), 3); },
       decimal(distance_within_human(pairs, human), 3));
+  const int alike = sets.empty() ? 0 : static_cast<int>(total_of(sets.front().second.like_human));
+  row(
+      "texts of goals of people's kinds", [](const WordFigures& f) { return std::to_string(f.texts_like_human); }, "");
+  row(
+      "divergence of word pairs, these alone",
+      [&](const WordFigures& f) {
+        return f.like_human.empty() ? "-" : decimal(distance_to_human(f.like_human, human), 3);
+      },
+      alike == 0 ? "" : decimal(distance_within_human(alike, human), 3));
   return out.str();
 }
 

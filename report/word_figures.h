@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/result.h"
+#include "logic/formula.h"
 #include "report/data_set.h"
 
 namespace unietp {
@@ -18,7 +19,9 @@ namespace unietp {
 struct CountedText {
   std::string split;
   std::string text;
-  bool by_author = false;  // in a phrasing of its template's own
+  bool by_author = false;   // in a phrasing of its template's own
+  int parts = 1;            // of its goal (formula_census.h)
+  bool like_human = false;  // its goal is of a kind that the human goals are of
 };
 
 /// How often each pair of neighboring words occurs within texts; words are lower case, without punctuation.
@@ -33,8 +36,16 @@ struct WordFigures {
   double frames = 0;                         // "make sure that", "I want you to": about the request itself
   double polite = 0;                         // "please", "could you"
   double by_author = 0;                      // in phrasings of their templates' own
+  double words_for_each_part = 0;            // all words by all parts of the goals
+  double over_9_for_each_part = 0;           // texts that have more than nine words for each part of their goal
   Bigrams bigrams;
+  int texts_like_human = 0;  // whose goals are of kinds that the human goals are of
+  Bigrams like_human;        // of those
 };
+
+/// Whether ALFRED has goals of this kind, other things aside: in AI2-THOR, one thing or two are to be on or in another
+/// in the end, some of them washed, heated, chilled or sliced, and nothing is described by where or how it is.
+bool is_like_human_goals(std::string_view simulator, const Formula& goal);
 
 /// The instructions of a data set, one task after another. Errors: Io, Parse, Schema.
 Result<std::vector<CountedText>> counted_texts(const FinishedSet& set);

@@ -12,7 +12,6 @@
 #include "record/dataset_lines.h"
 #include "resources/own_phrasings.h"
 #include "rewording/home_texts.h"
-#include "rewording/paired_wordings.h"
 #include "rewording/person_text.h"
 #include "rewording/worded_task.h"
 #include "rewording/written_again.h"
@@ -137,7 +136,7 @@ class Rewriting {
   /// A first pass: texts that stay, wherever they are in the file, and whether the files belong together, which is
   /// better known before a model is asked for hours.
   Result<Done> prepare() {
-    return for_each_worded_task(folder_, all_lines(folder_), [&](WordedTask&& task) -> Result<Done> {
+    return for_each_matched_task(folder_, [&](WordedTask&& task) -> Result<Done> {
       const TaskRecord& record = task.record;
       texts_.expect(record.layout);
       if (is_kept(task, options_)) texts_.add(record.layout, record.instruction);
@@ -284,11 +283,12 @@ Result<AnnotateReport> annotate_dataset(const fs::path& folder, const fs::path& 
     return done.error();
   if (report.unanswered > 0 && !options.stand_in) return report;
   if (options.paired) {
-    if (auto done = write_paired_wordings(folder, resources,
-                                          {options.llm.phrasings, english_of(options), options.seed, options.contrasts},
-                                          copy->folder() / kWordingsFile);
-        !done)
-      return done.error();
+    auto pairs = write_paired_wordings(
+        folder, resources,
+        {options.llm.phrasings, english_of(options), options.seed, options.contrasts, options.wordings},
+        copy->folder() / kWordingsFile);
+    if (!pairs) return pairs.error();
+    report.pairs = std::move(*pairs);
   }
   manifest->writing = writing_of(report, options);
   if (auto done = write_manifest(std::move(*manifest), resources.frozen, copy->folder()); !done) return done.error();

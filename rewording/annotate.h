@@ -10,6 +10,7 @@
 
 #include "annotator/llm_writer.h"
 #include "resources/resources.h"
+#include "rewording/paired_wordings.h"
 
 namespace unietp {
 
@@ -27,6 +28,7 @@ struct AnnotateOptions {
   std::optional<English> english;     // without it that of the data set
   bool paired = false;                // also write wordings.jsonl (paired_wordings.h); an older one goes otherwise
   bool contrasts = false;             // with contrasts in it
+  std::size_t wordings = 2;           // different texts of each task's goal in it, as far as there are so many
   bool replace_human = false;         // also texts that people wrote or corrected
   bool stand_in = false;              // the grammar's texts stand in where no answer came
   LlmWriterOptions llm;               // its phrasings are the grammar's, too; the rest is for the other two writers
@@ -45,6 +47,7 @@ struct AnnotateReport {
   int by_people = 0;      // texts that were kept
   int unanswered = 0;     // requests to the model
   std::string no_answer;  // why the first of them has none
+  PairCounts pairs;       // in wordings.jsonl
   bool written = false;   // false: an answer is missing, so that everything is as it was
 };
 

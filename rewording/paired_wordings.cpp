@@ -1,13 +1,17 @@
 #include "rewording/paired_wordings.h"
 
 #include <array>
+#include <set>
+#include <span>
 
 #include "annotator/home_facts.h"
 #include "annotator/minimal_pair.h"
+#include "annotator/other_wordings.h"
 #include "annotator/phrasing_sets.h"
 #include "dataset/candidate_number.h"
 #include "dataset/lines.h"
 #include "record/dataset_reader.h"
+#include "resources/own_phrasings.h"
 #include "rewording/referring_goal.h"
 #include "rewording/worded_task.h"
 
@@ -18,15 +22,25 @@ namespace fs = std::filesystem;
 
 constexpr std::array kComplex{Style::SubordinateClause, Style::InvertedOrder, Style::Condition, Style::Aside};
 
+/// Texts of a line that mean the task's goal.
+std::set<std::string> texts_of_goal(const WordingsEntry& entry) {
+  std::set<std::string> texts{entry.direct.text};
+  if (entry.complex) texts.insert(entry.complex->text);
+  for (const Instruction& other : entry.others) texts.insert(other.text);
+  return texts;
+}
+
 class PairWriter {
  public:
   PairWriter(const WordedTask& task, Scene start, const DemonstrationRecord& demonstration, const Backend& backend,
-             const PairOptions& options)
+             std::span<const std::string> phrasings_of_template, const PairOptions& options)
       : task_(task),
         start_(std::move(start)),
         backend_(backend),
         english_(options.english),
         contrasts_(options.contrasts),
+        wordings_(options.wordings),
+        phrasings_of_template_(phrasings_of_template),
         writing_{options.phrasings, categories_in(start_), &start_},
         rng_(wording_stream(options.seed.value_or(task.record.run), task.record.slot, task.record.attempt)
                  .fork("pair", 0)) {
@@ -54,6 +68,7 @@ class PairWriter {
       break;
     }
     if (contrasts_) add_contrast(pair);
+    add_others(pair);
     return pair;
   }
 
@@ -71,6 +86,31 @@ class PairWriter {
     pair.contrast_goal = to_text(other->goal);
   }
 
+  /// Where everyday words have one form only, a second one comes from the wider choice.
+  void add_others(WordingsEntry& pair) const {
+    add_others(pair, wordings_, writing_);
+    if (writing_.phrasings != Phrasings::Everyday || texts_of_goal(pair).size() > 1) return;
+    WritingOptions wider = writing_;
+    wider.phrasings = Phrasings::All;
+    add_others(pair, 2, wider);
+  }
+
+  /// Plain texts first, the template's own among them; then in one style after the other.
+  void add_others(WordingsEntry& pair, std::size_t wordings, WritingOptions writing) const {
+    writing.phrasings_of_template = phrasings_of_template_;
+    Specification specification = task_.specification;
+    for (std::size_t style = 0; style < kStyleCount; ++style) {
+      const auto known = texts_of_goal(pair);
+      if (known.size() >= wordings) return;
+      specification.style = static_cast<Style>(style);
+      for (Instruction& other : other_wordings(specification, backend_.knowledge, backend_.nouns_in(english_), writing,
+                                               known, wordings - known.size(), rng_.fork("others", style))) {
+        other.phrasing = 0;  // of a task's instruction only
+        pair.others.push_back(std::move(other));
+      }
+    }
+  }
+
   Result<Instruction> worded(const Formula& goal, Style style) const {
     Specification specification = task_.specification;
     specification.goal = goal;
@@ -84,6 +124,8 @@ class PairWriter {
   const Backend& backend_;
   English english_;
   bool contrasts_;
+  std::size_t wordings_;
+  std::span<const std::string> phrasings_of_template_;
   WritingOptions writing_;
   Rng rng_;
   Trace trace_;
@@ -91,26 +133,33 @@ class PairWriter {
 
 }  // namespace
 
-Result<Done> write_paired_wordings(const fs::path& folder, const Resources& resources, const PairOptions& options,
-                                   const fs::path& file) {
+Result<PairCounts> write_paired_wordings(const fs::path& folder, const Resources& resources, const PairOptions& options,
+                                         const fs::path& file) {
   auto reader = DatasetReader::open(folder, {.modes = {Mode::M1}, .starts = true});
   if (!reader) return reader.error();
   auto lines = LinesWriter::begin(file);
   if (!lines) return lines.error();
   int line = 0;
-  const auto done = for_each_task<std::string>(
+  PairCounts counts;
+  const auto done = for_each_task<WordingsEntry>(
       std::move(*reader), 1,
-      [&](const FinishedTask& finished) -> Result<std::string> {
+      [&](const FinishedTask& finished) -> Result<WordingsEntry> {
         const auto task = worded_task(folder, ++line, finished.record);
         if (!task) return task.error();
         const Backend& backend = resources.backend(task->specification.simulator);
-        const auto pair = PairWriter(*task, finished.start, finished.shown.at(Mode::M1), backend, options).pair();
-        if (!pair) return pair.error();
-        return line_of(*pair);
+        return PairWriter(*task, finished.start, finished.shown.at(Mode::M1), backend,
+                          phrasings_of_template(resources, task->record.template_name), options)
+            .pair();
       },
-      [&](std::string&& pair) { return lines->add(pair); });
-  if (!done) return done;
-  return lines->finish();
+      [&](WordingsEntry&& pair) {
+        ++counts.tasks_by_wordings[texts_of_goal(pair).size()];
+        counts.referring += pair.referring ? 1 : 0;
+        counts.contrasts += pair.contrast ? 1 : 0;
+        return lines->add(line_of(pair));
+      });
+  if (!done) return done.error();
+  if (const auto finished = lines->finish(); !finished) return finished.error();
+  return counts;
 }
 
 }  // namespace unietp

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 
 #include "annotator/phrasing_sets.h"
@@ -16,15 +18,23 @@ struct PairOptions {
   English english = English::Us;
   std::optional<std::uint64_t> seed;  // of the wording; without it each run's own
   bool contrasts = false;             // also one word changed, another goal
+  std::size_t wordings = 2;           // different texts that mean the task's goal, as far as the grammar has them
+};
+
+/// What was written.
+struct PairCounts {
+  std::map<std::size_t, int> tasks_by_wordings;  // tasks that have so many different texts of their own goal
+  int referring = 0, contrasts = 0;
 };
 
 /// Writes `wordings.jsonl` to `file`: for each task of a folder the same episode in a direct, a referring and a complex
 /// wording, marked as a pair by the task's id, so that results compare like with like. Direct and complex state the
 /// task's goal; referring states it of the object that the demonstration used, with that goal beside it, and is left
 /// out where nothing simple tells the object apart. A contrast differs from the direct wording in one word and states
-/// another goal, which stands beside it (minimal_pair.h). All are the grammar's and pass its checks. Errors: Io, Parse,
-/// Schema of a file; Unsatisfiable (names the task).
-Result<Done> write_paired_wordings(const std::filesystem::path& folder, const Resources& resources,
-                                   const PairOptions& options, const std::filesystem::path& file);
+/// another goal, which stands beside it (minimal_pair.h). Further texts of the task's goal, plain ones first, fill up
+/// to `wordings` of them where the grammar has so many for it. All are the grammar's and pass its checks. Errors: Io,
+/// Parse, Schema of a file; Unsatisfiable (names the task).
+Result<PairCounts> write_paired_wordings(const std::filesystem::path& folder, const Resources& resources,
+                                         const PairOptions& options, const std::filesystem::path& file);
 
 }  // namespace unietp

@@ -52,6 +52,22 @@ Result<Done> for_each_worded_task(const std::filesystem::path& folder, const Dat
       std::move(*reader), 1, [&](const FinishedTask& task) { return worded_task(folder, ++line, task.record); }, use);
 }
 
+Result<Done> for_each_matched_task(const std::filesystem::path& folder,
+                                   const std::function<Result<Done>(WordedTask&&)>& use) {
+  auto reader = DatasetReader::open(folder, all_lines(folder));
+  if (!reader) return reader.error();
+  for (int line = 1; const auto lines = reader->lines().next(); ++line) {
+    if (const auto error = reader->line_error(*lines)) return *error;
+    auto record = reader->task(*lines);
+    if (!record) return record.error();
+    auto task = worded_task(folder, line, std::move(*record));
+    if (!task) return task.error();
+    if (auto used = use(std::move(*task)); !used) return used;
+  }
+  if (const auto stray = reader->lines().next_stray()) return stray->error;
+  return Done{};
+}
+
 Instruction instruction_of(const WordedTask& task) {
   const TaskRecord& record = task.record;
   std::vector<Style> phenomena;

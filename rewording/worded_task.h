@@ -30,6 +30,11 @@ DatasetParts all_lines(const std::filesystem::path& folder);
 Result<Done> for_each_worded_task(const std::filesystem::path& folder, const DatasetParts& parts,
                                   const std::function<Result<Done>(WordedTask&&)>& use);
 
+/// The same, where the lines of all parts are only matched with their tasks, not parsed: whether the files belong
+/// together is known in a third of the time. Errors: the same, but for what shows only in parsing a demonstration.
+Result<Done> for_each_matched_task(const std::filesystem::path& folder,
+                                   const std::function<Result<Done>(WordedTask&&)>& use);
+
 /// The instruction that the task has.
 Instruction instruction_of(const WordedTask& task);
 

@@ -84,6 +84,11 @@ Result<WordingsEntry> written_again(const WordingsRecord& wordings) {
       entry.referring_goal = wording.goal;
     }
   }
+  for (const WordingRecord& wording : wordings.others) {
+    auto instruction = instruction_of(wording);
+    if (!instruction) return instruction.error();
+    entry.others.push_back(std::move(*instruction));
+  }
   return entry;
 }
 

@@ -235,6 +235,7 @@ class TaskProver {
   void prove_wordings(const WordingsRecord& record, const TraceMaker& traces, const DemonstrationRecord* shown) {
     const std::string where = "wordings.jsonl";
     if (record.pair != record.task) found(ProblemKind::Wordings, where, "has the pair id " + record.pair);
+    prove_others(record, where);
     for (const auto& [name, wording] : record.wordings) {
       prove_origin({wording.writer, wording.checks, wording.fallback}, false, where);
       if (text_writer_of(wording.writer) != TextWriter::Grammar || (wording.style == "direct") == (name == "complex"))
@@ -264,6 +265,21 @@ class TaskProver {
       for (const StepRecord& step : shown->steps) changes.push_back(step.changes);
       if (!holds(*goal, traces.of(changes)))
         found(ProblemKind::Wordings, where, "its demonstration does not reach the goal of its " + name + " wording");
+    }
+  }
+
+  /// Further wordings mean the task's goal, and no two texts of it are alike.
+  void prove_others(const WordingsRecord& record, const std::string& where) {
+    std::set<std::string> texts;
+    for (const auto& [name, wording] : record.wordings)
+      if (wording.goal.empty()) texts.insert(wording.text);
+    for (const WordingRecord& wording : record.others) {
+      prove_origin({wording.writer, wording.checks, wording.fallback}, false, where);
+      if (wording.writer != "grammar")
+        found(ProblemKind::Wordings, where, "has a further wording by " + wording.writer);
+      if (!texts.insert(wording.text).second)
+        found(ProblemKind::Wordings, where, "has the wording \"" + wording.text + "\" twice");
+      if (goal_) prove_text(wording.text, wording.writer, wording.style, nullptr, *goal_, where);
     }
   }
 

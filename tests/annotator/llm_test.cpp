@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <atomic>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "../llm/asking.h"
 #include "../llm/wording_model.h"
+#include "core/text.h"
 #include "small_knowledge.h"
 
 namespace unietp {
@@ -208,6 +210,31 @@ TEST_F(LlmWriter, ADryRunShowsTheFirstRoundAndAsksNothing) {
   const auto requests = first_requests({task(kGoal), task(kGoal, 2)}, options);
   ASSERT_EQ(requests.size(), 2U);
   EXPECT_THAT(requests[0].user, HasSubstr(kGoal));
+}
+
+TEST_F(LlmWriter, AsksForWhatTheGrammarSaysWithExamplesOfIts) {
+  constexpr const char* kOrder =
+      "(exists (?a - Mug) (exists (?b - Table) (and (before (clean ?a) (on ?a ?b)) (at-end (and (clean ?a) (on ?a "
+      "?b))))))";
+  const auto requests = first_requests({task(kOrder)}, {});
+  ASSERT_EQ(requests.size(), 1U);
+  const std::string& rules = requests[0].system;
+  for (const char* asked : {"short imperatives", "everyday names", "'the' for what the home has one of",
+                            "'a' or 'one of the' where it has several", "'it' or 'them'", "number words",
+                            "Leave out all that is about the request itself", "'make sure that'",
+                            "Do not be polite ('please', 'could you', 'kindly'), unless the style asks for it"})
+    EXPECT_THAT(rules, HasSubstr(asked));
+  std::vector<std::string> examples;
+  for (const std::string& line : split(requests[0].user, '\n'))
+    if (line.starts_with("- ")) examples.push_back(line.substr(2));
+  EXPECT_GE(examples.size(), 2U);
+  EXPECT_EQ(std::set<std::string>(examples.begin(), examples.end()).size(), examples.size()) << requests[0].user;
+  for (const std::string& example : examples) {
+    EXPECT_THAT(check_instruction(example, asking(kOrder), knowledge_, nouns_), ::testing::IsEmpty()) << example;
+    for (const char* frame : {"please", "Please", "ould you", "ant you", "ake sure", "task"})
+      EXPECT_THAT(example, Not(HasSubstr(frame)));
+    EXPECT_LE(split(example, ' ').size(), 14U) << example;
+  }
 }
 
 }  // namespace

@@ -67,11 +67,13 @@ TEST(Lines, ARejectionFollowsItsSchema) {
 }
 
 TEST(Lines, WordingsFollowTheirSchema) {
-  WordingsEntry wordings{"ai2thor-00001", instruction(""), std::nullopt, "", std::nullopt, std::nullopt, ""};
+  WordingsEntry wordings{"ai2thor-00001", instruction(""), std::nullopt, "", std::nullopt, std::nullopt, "", {}};
   EXPECT_EQ(broken(line_of(wordings), "wordings.schema.json"), "");
   wordings.referring = wordings.complex = wordings.contrast = instruction("");
   wordings.contrast_goal = "(exists (?a - Fridge) (at-end (closed ?a)))";
   wordings.referring_goal = "(at-end (exists (?a - (Fridge :where (dirty ?a))) (open ?a)))";
+  EXPECT_EQ(broken(line_of(wordings), "wordings.schema.json"), "");
+  wordings.others = {instruction(""), instruction("the model gave no answer")};
   EXPECT_EQ(broken(line_of(wordings), "wordings.schema.json"), "");
 }
 

@@ -168,33 +168,6 @@ TEST_F(AnnotateCommand, TheEnglishIsChosenRecordedAndKept) {
   EXPECT_THAT(unknown.err, HasSubstr("--english"));
 }
 
-TEST_F(AnnotateCommand, ContrastsDifferInOneWordAndMeanSomethingElse) {
-  ASSERT_EQ(annotate({"--contrasts"}).code, 0);
-  expect_sound();
-  int contrasts = 0;
-  for (const auto& line : json_lines(data() / "wordings.jsonl")) {
-    if (!line.contains("contrast")) continue;
-    ++contrasts;
-    const auto one = split(line["direct"]["text"].get<std::string>(), ' ');
-    const auto other = split(line["contrast"]["text"].get<std::string>(), ' ');
-    ASSERT_EQ(one.size(), other.size());
-    int differ = 0;
-    for (std::size_t i = 0; i < one.size(); ++i) differ += one[i] == other[i] ? 0 : 1;
-    EXPECT_EQ(differ, 1) << line["contrast"]["text"];
-  }
-  EXPECT_GE(contrasts, kCount / 2);
-  // The same text cannot have both goals.
-  auto lines = json_lines(data() / "wordings.jsonl");
-  for (auto& line : lines)
-    if (line.contains("contrast")) line["contrast"]["text"] = line["direct"]["text"];
-  std::string changed;
-  for (const auto& line : lines) changed += line.dump() + "\n";
-  ASSERT_TRUE(write_file(data() / "wordings.jsonl", changed));
-  const auto ended = run_program({"validate", data().string()});
-  EXPECT_EQ(ended.code, 1);
-  EXPECT_THAT(ended.out + ended.err, HasSubstr("its contrast does not differ from the direct wording in one word"));
-}
-
 TEST_F(AnnotateCommand, AnotherSeedAndTurnsOfPhraseGiveOthers) {
   const auto ended = annotate({"--seed", "77", "--phrasings", "benchmark"});
   EXPECT_EQ(ended.code, 0) << ended.err;
@@ -371,34 +344,6 @@ TEST_F(AnnotateCommand, BatchFilesGoOnWhereTheAnswersEnded) {
   expect_no_key(ended);
 }
 
-TEST_F(AnnotateCommand, PairsHaveOneEpisodeInThreeWordings) {
-  const auto ended = annotate({"--paired"});
-  EXPECT_EQ(ended.code, 0) << ended.err;
-  expect_sound();
-  SchemaChecker checker;
-  int referring = 0, complex = 0;
-  const auto pairs = json_lines(data() / "wordings.jsonl");
-  const auto tasks = json_lines(data() / "tasks.jsonl");
-  ASSERT_EQ(pairs.size(), tasks.size());
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    EXPECT_EQ(checker.check(pairs[i], "wordings.schema.json"), "");
-    EXPECT_EQ(pairs[i]["pair"], tasks[i]["id"]);
-    EXPECT_EQ(pairs[i]["direct"]["style"], "direct");
-    if (pairs[i].contains("complex")) {
-      ++complex;
-      EXPECT_NE(pairs[i]["complex"]["style"], "direct");
-    }
-    if (!pairs[i].contains("referring")) continue;
-    ++referring;
-    EXPECT_THAT(pairs[i]["referring"]["goal"].get<std::string>(), HasSubstr(":where"));
-    EXPECT_NE(pairs[i]["referring"]["text"], pairs[i]["direct"]["text"]);
-  }
-  EXPECT_GT(complex, kCount / 2);
-  EXPECT_GT(referring, 0);
-  EXPECT_EQ(annotate({}).code, 0);
-  EXPECT_FALSE(fs::exists(data() / "wordings.jsonl"));
-}
-
 TEST_F(AnnotateCommand, WhatIsMissingIsToldBeforeAnythingIsDone) {
   const auto before = bytes_below(data());
   for (const auto& [options, message] : std::vector<std::pair<std::vector<std::string>, std::string>>{
@@ -406,7 +351,8 @@ TEST_F(AnnotateCommand, WhatIsMissingIsToldBeforeAnythingIsDone) {
            {{"--writer", "llm"}, "--llm-url"},
            {{"--writer", "llm", "--llm-url", "http://localhost:1"}, "--llm-model"},
            {{"--writer", "batch", "--llm-model", "tiny"}, "--batch"},
-           {{"--phrasings", "old"}, "training"}}) {
+           {{"--phrasings", "old"}, "training"},
+           {{"--wordings", "1"}, "--wordings"}}) {
     const auto ended = annotate(options);
     EXPECT_EQ(ended.code, 2) << message;
     EXPECT_THAT(ended.err, HasSubstr(message));

@@ -32,6 +32,18 @@ TEST(DataSet, HoldsEverySimulatorAndSplitAndIsProven) {
   EXPECT_TRUE(verdict.problems.empty());
 }
 
+TEST(DataSet, HasFewWordsForEachPartOfAGoal) {
+  const auto ended = run_program({"stats", small_data_set().string(), "--words"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const auto figure = [&](const std::string& label) {
+    const auto at = ended.out.find(label);
+    EXPECT_NE(at, std::string::npos) << ended.out;
+    return at == std::string::npos ? 100.0 : std::stod(ended.out.substr(at + label.size()));
+  };
+  EXPECT_LE(figure("words for each part of the goal"), 9);
+  EXPECT_LE(figure("more than 9 words for each part"), 5) << "percent";
+}
+
 TEST(DataSet, EveryFileFollowsItsSchema) {
   SchemaChecker checker;
   const std::vector<std::pair<std::string, std::string>> lines{{"tasks.jsonl", "task.schema.json"},

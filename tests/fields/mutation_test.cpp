@@ -34,6 +34,8 @@ constexpr Passing kMayPass[] = {
     {"reviews.jsonl", "verdict", ""},            // a person's judgment of a task that stayed, which may be left out
     {"reviews.jsonl", "", "line dropped"},
     {"wordings.jsonl", "complex", "dropped"},  // not every goal has one
+    {"wordings.jsonl", "others", "dropped"},   // nor so many texts
+    {"wordings.jsonl", "others[]", "dropped"},
     {"wordings.jsonl", "referring", "dropped"},
 };
 

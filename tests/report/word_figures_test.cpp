@@ -1,4 +1,5 @@
 #include "report/word_figures.h"
+#include "report/formula_census.h"
 
 #include <gtest/gtest.h>
 
@@ -27,6 +28,37 @@ TEST(WordFigures, AreCountedByText) {
   EXPECT_DOUBLE_EQ(figures.by_author, 0.25);
   EXPECT_EQ(figures.bigrams.at({"a", "mug"}), 2);
   EXPECT_FALSE(figures.bigrams.contains({"mug", "please."}));
+}
+
+TEST(WordFigures, CountTheWordsForEachPartOfTheGoal) {
+  const auto figures =
+      word_figures({{"atomic", "Wash a mug and put it in the sink.", false, 2},
+                    {"logical", "Wash the mug that I left next to the sink in the kitchen.", false, 1}});
+  EXPECT_DOUBLE_EQ(figures.words_for_each_part, (9 + 13) / 3.0);
+  EXPECT_DOUBLE_EQ(figures.over_9_for_each_part, 0.5);
+  const auto parts = [](const char* goal) { return parts_of(*parse_formula("goal", goal, FormulaUse::Goal)); };
+  EXPECT_EQ(parts("(exists (?a - Mug) (at-end (clean ?a)))"), 1);
+  EXPECT_EQ(
+      parts("(exists (?a - Mug) (exists (?b - Sink) (and (before (clean ?a) (inside ?a ?b)) (at-end (and (clean ?a) "
+            "(inside ?a ?b))))))"),
+      2);
+  EXPECT_EQ(parts("(exists (?a - (Mug :where (exists (?c - Desk) (on ?a ?c)))) (at-end (clean ?a)))"), 2);
+}
+
+TEST(WordFigures, CompareTheGoalsOfPeoplesKindsAlone) {
+  const auto like = [](const char* simulator, const char* goal) {
+    return is_like_human_goals(simulator, *parse_formula("goal", goal, FormulaUse::Goal));
+  };
+  constexpr const char* kPlace = "(exists (?a - Mug) (exists (?b - Desk) (at-end (and (clean ?a) (on ?a ?b)))))";
+  EXPECT_TRUE(like("ai2thor", kPlace));
+  EXPECT_TRUE(like("ai2thor", "(exists (?b - Desk) (at-end (count >= 2 (?a - Mug) (on ?a ?b))))"));
+  EXPECT_FALSE(like("behavior", kPlace));
+  EXPECT_FALSE(like("ai2thor", "(exists (?a - Mug) (at-end (clean ?a)))"));
+  EXPECT_FALSE(like("ai2thor", "(exists (?a - Mug) (forall (?b - Desk) (at-end (on ?a ?b))))"));
+  EXPECT_FALSE(like("ai2thor", "(exists (?a - (Mug :where (dirty ?a))) (exists (?b - Desk) (at-end (on ?a ?b))))"));
+  const auto figures = word_figures({{"atomic", "Wash a mug.", false, 1, true}, {"atomic", "Open it."}});
+  EXPECT_EQ(figures.texts_like_human, 1);
+  EXPECT_EQ(figures.like_human, (Bigrams{{{"wash", "a"}, 1}, {{"a", "mug"}, 1}}));
 }
 
 TEST(WordFigures, TheDivergenceIsNoneFromTheSameAndOneFromOthers) {

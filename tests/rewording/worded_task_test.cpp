@@ -3,12 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/text.h"
 #include "tests/record/small_set.h"
 
 namespace unietp {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 TEST(WordedTask, IsTheSpecificationThatItsRecordTellsOf) {
   const SmallSet set;
@@ -31,6 +33,24 @@ TEST(WordedTask, IsTheSpecificationThatItsRecordTellsOf) {
   });
   ASSERT_TRUE(read) << format(read.error());
   EXPECT_THAT(ids, ElementsAre("ai2thor-00001", "ai2thor-00002"));
+}
+
+TEST(WordedTask, IsMatchedWithItsDemonstrationUnparsed) {
+  const auto matched = [](const std::vector<std::string>& shown) {
+    const SmallSet set;
+    set.write({task_line("ai2thor-00001"), task_line("ai2thor-00002")}, shown);
+    std::vector<std::string> ids;
+    const auto read = for_each_matched_task(set.folder(), [&](WordedTask&& task) -> Result<Done> {
+      ids.push_back(task.record.id);
+      return Done{};
+    });
+    return read ? join(ids, " ") : format(read.error());
+  };
+  const std::string first = shown_line("ai2thor-00001"), second = shown_line("ai2thor-00002");
+  EXPECT_EQ(matched({first, second}), "ai2thor-00001 ai2thor-00002");
+  EXPECT_THAT(matched({first}), HasSubstr("expected the demonstration of ai2thor-00002"));
+  EXPECT_THAT(matched({second, first}), HasSubstr("expected the demonstration of ai2thor-00001"));
+  EXPECT_THAT(matched({first, second, second}), HasSubstr("expected the end of the file"));
 }
 
 TEST(WordedTask, OfADataSetWithoutDemonstrationsAsksForThoseOfM1) {

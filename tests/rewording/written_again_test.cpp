@@ -67,8 +67,14 @@ TEST(WrittenAgain, ATaskAndItsDemonstrationsStayAsTheyWere) {
 TEST(WrittenAgain, RejectionsWordingsAndMarksStayAsTheyWere) {
   const auto rejection = line_of(RejectionEntry{3, 1, "open-one", "ai2thor", "atomic", "expert", "no-plan", ""});
   EXPECT_EQ(line_of(written_again(*read_rejection("r", 1, rejection))), rejection);
-  const auto wordings = line_of(WordingsEntry{"a", instruction("One.", ""), instruction("Two.", "why"), "(goal)",
-                                              instruction("3.", ""), instruction("4.", ""), "(other)"});
+  const auto wordings = line_of(WordingsEntry{"a",
+                                              instruction("One.", ""),
+                                              instruction("Two.", "why"),
+                                              "(goal)",
+                                              instruction("3.", ""),
+                                              instruction("4.", ""),
+                                              "(other)",
+                                              {instruction("5.", ""), instruction("6.", "why")}});
   EXPECT_EQ(line_of(*written_again(*read_wordings("w", 1, wordings))), wordings);
   const auto mark = line_of(ReviewMarkEntry{"a", "edit", "Open it.", "odd"});
   EXPECT_EQ(line_of(written_again(*read_review_mark("m", 1, mark))), mark);

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstddef>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "annotator/instruction.h"
+
+namespace unietp {
+
+/// Up to `count` more texts of the grammar for the same goal in the same style, all different from each other and from
+/// those in `known`; fewer where further draws bring no new ones. Deterministic in rng.
+std::vector<Instruction> other_wordings(const Specification& specification, const Knowledge& knowledge,
+                                        const NounTable& nouns, const WritingOptions& options,
+                                        std::set<std::string> known, std::size_t count, const Rng& rng);
+
+}  // namespace unietp
