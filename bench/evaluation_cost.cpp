@@ -131,7 +131,7 @@ struct Bench {
     setup.program_version = setup.program_build = "bench";
     setup.knowledge_digest = setup.dataset.digest = std::string(64, '0');
     setup.dataset.name = "bench";
-    setup.agent = {"policy", "replay"};
+    setup.agent = {AgentKind::Policy, "replay"};
     setup.selection.modes = {mode};
     setup.selection.repeats = repeats;
     setup.settings = {{mode, settings_for(mode)}};
