@@ -56,7 +56,7 @@ std::optional<Room3> top(const Category& c) {
       return plane(s.x(), s.y());
     case Archetype::Cabinet:
       if (s.z() > kHighestTop_m) return std::nullopt;
-      return plane(s.x(), s.y() - cabinet_dimensions(s).wall - kDoorGap_m);  // behind its doors
+      return plane(s.x(), s.y() - 0.025);  // the door
     case Archetype::Seat:
       return plane(s.x(), s.y() - seat_dimensions(s).back - 0.01);
     case Archetype::Bed:
