@@ -100,7 +100,7 @@ class CommittedFunctions : public ::testing::Test {
   std::vector<Tables> all;
 };
 
-TEST_F(CommittedFunctions, ManyAreServedByAKindAndMostHaveSeveralPhrases) {
+TEST_F(CommittedFunctions, ManyAreServedByAKindAndHalfHaveSeveralPhrases) {
   std::map<std::string, std::set<std::string>> phrases, members;
   for (const auto& tables : all) {
     std::map<std::string, std::set<std::string>> here;
@@ -119,7 +119,7 @@ TEST_F(CommittedFunctions, ManyAreServedByAKindAndMostHaveSeveralPhrases) {
     wide += members[function].size() >= 2 ? 1 : 0;
   }
   EXPECT_GE(wide, 40);
-  EXPECT_GE(several, 33);
+  EXPECT_GE(several * 2, static_cast<int>(phrases.size()));
 }
 
 /// "a toy" would mean the category that is called toy.
