@@ -181,8 +181,7 @@ std::optional<std::string> left_alone(const Clause& clause, Naming& naming) {
   if (!is_single(clause) || naming.keeps_no()) return std::nullopt;
   const NounPhrase& subject = clause.subjects[0];
   const Complement& said = clause.complements[0];
-  if (subject.determiner == Determiner::Every && says_the_place(subject, said) && naming.was_named_kind(subject.noun) &&
-      !naming.is_in_pairs(subject.noun)) {
+  if (subject.determiner == Determiner::Every && says_the_place(subject, said) && naming.was_named_kind(subject.noun)) {
     const Text where = naming.complement(subject.modifiers[0], {});
     if (!where) return std::nullopt;
     return subject.there == 1 ? "leave the one " + *where + " where it is"

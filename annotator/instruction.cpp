@@ -199,10 +199,18 @@ bool ends_with_need(const std::string& text, const std::string& need) {
 
 bool ends_with_needs(const std::string& text, const NounTable& lexicon) {
   if (text.find("something ") == std::string::npos) return true;
-  return std::all_of(lexicon.phrases().begin(), lexicon.phrases().end(), [&](const auto& one) {
-    const auto& phrase = one.second;
-    return ends_with_need(text, phrase.use == AliasKind::Occasion ? phrase.need : phrase.text);
-  });
+  std::vector<const std::string*> said;
+  for (const auto& [key, phrase] : lexicon.phrases()) {
+    const std::string& need = phrase.use == AliasKind::Occasion ? phrase.need : phrase.text;
+    if (text.find(need) != std::string::npos) said.push_back(&need);
+  }
+  // "Something to drink" is not meant by "something to drink from".
+  const auto goes_on = [&](const std::string& need) {
+    return std::any_of(said.begin(), said.end(),
+                       [&](const std::string* longer) { return longer->starts_with(need + " "); });
+  };
+  return std::all_of(said.begin(), said.end(),
+                     [&](const std::string* need) { return goes_on(*need) || ends_with_need(text, *need); });
 }
 
 /// Adds to a text what a style has besides what is asked. False when there is nothing to add.

@@ -93,8 +93,7 @@ class Naming {
   bool names_by_use(const Domain& noun) const;
   /// Whether it is watered rather than filled.
   bool is_plant(const Domain& noun) const;
-  bool heats_food(const Domain& noun) const;   // a toaster, an oven
-  bool is_in_pairs(const Domain& noun) const;  // a pair of glasses
+  bool heats_food(const Domain& noun) const;  // a toaster, an oven
   /// Whether people put a lid on it rather than close it.
   bool has_lid(const Domain& noun) const;
   /// Whether it is sprinkled on food: salt, and what else the home's base has a shaker of.

@@ -33,11 +33,6 @@ bool Naming::is_plant(const Domain& noun) const {
   return name != nullptr && name->singular.ends_with("plant");
 }
 
-bool Naming::is_in_pairs(const Domain& noun) const {
-  const NounTable::Name* name = noun.members.size() == 1 ? lexicon_.display(noun.members[0].category) : nullptr;
-  return name != nullptr && name->singular.starts_with("pair of ");
-}
-
 bool Naming::heats_food(const Domain& noun) const {
   const NounTable::Name* name = noun.members.size() == 1 ? lexicon_.display(noun.members[0].category) : nullptr;
   return name != nullptr && (name->singular.ends_with("toaster") || name->singular.ends_with("oven") ||
