@@ -28,6 +28,8 @@ struct GuessOption {
   int room = -1;                                         // place in the home's list of rooms; -1: in none
   bool has_asset = false;
   bool is_named = false;  // the instruction has the words of its category
+  bool is_where_asked =
+      false;  // it is on or in a thing of a kind that the goal names, or on the floor and the goal is about that
   // Of other homes, for the same kind: the share of tasks, in which it was there, whose goal needs it; how often goals
   // of this template need it; how often demonstrations of this split and mode begin with it.
   float goal_share = 0, template_share = 0, first_share = 0;

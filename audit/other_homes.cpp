@@ -1,5 +1,6 @@
 #include "audit/other_homes.h"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <string>
@@ -126,7 +127,8 @@ class Others {
     option.first_share =
         static_cast<float>(count_in(all_.first_objects, by_first) - count_in(own_.first_objects, by_first));
     option.odd_states = oddness(all, own, option, HomeTrait::States);
-    option.odd_support = oddness(all, own, option, HomeTrait::Support);
+    option.odd_support =
+        option.is_where_asked ? least_odd(all, own, HomeTrait::Support) : oddness(all, own, option, HomeTrait::Support);
     option.odd_room = oddness(all, own, option, HomeTrait::Room);
     option.odd_asset = oddness(all, own, option, HomeTrait::Asset);
     option.odd_count = oddness(all, own, option, HomeTrait::Count);
@@ -158,6 +160,16 @@ class Others {
       above += static_cast<float>(count) * (count > mine ? 1.0F : count == mine ? 0.5F : 0.0F);
     });
     return sum == 0 ? 0.5F : above / sum;
+  }
+
+  /// What oddness gives for the most frequent value.
+  static float least_odd(const KindCounts* all, const KindCounts* own, HomeTrait trait) {
+    int most = 0;
+    each(all, own, trait, [&](std::uint64_t, int count) { most = std::max(most, count); });
+    float equal = 0;
+    const float sum = each(
+        all, own, trait, [&](std::uint64_t, int count) { equal += count == most ? static_cast<float>(count) : 0.0F; });
+    return sum == 0 ? 0.5F : equal / sum / 2;
   }
 
   /// The share of other homes with fewer of the kind, of those that have it; of as many, half.

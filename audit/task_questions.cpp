@@ -86,17 +86,21 @@ std::string_view default_of(std::string_view group) {
   return {};
 }
 
+/// The affordance whose states exclude each other; what is filled with anything is not empty.
+std::string_view group_of(Predicate state) { return info(state == Predicate::Filled ? Predicate::Empty : state).group; }
+
 /// States that are asked for are taken to be as they are at first: left out, they would set the thing apart, too.
 std::uint64_t key_of_states(const StateSet& states, const std::set<Predicate>& asked) {
   std::string text;
+  std::set<std::string_view> at_first;
   for (const State& state : states.all()) {
-    const auto& group = info(state.predicate).group;
+    const auto group = group_of(state.predicate);
     const bool is_asked = std::any_of(asked.begin(), asked.end(), [&](Predicate one) {
-      return one == state.predicate || (!group.empty() && info(one).group == group);
+      return one == state.predicate || (!group.empty() && group_of(one) == group);
     });
     if (!is_asked) {
       text += std::string(info(state.predicate).name) + " " + state.symbol + ",";
-    } else if (!group.empty()) {
+    } else if (!group.empty() && at_first.insert(group).second) {
       text += std::string(default_of(group)) + " ,";
     }
   }
@@ -108,6 +112,21 @@ struct Options {
   std::vector<GuessOption> things, rooms;  // in the order of the scene
   Places place_of_thing, place_of_room;
 };
+
+/// Marks what is where the goal speaks of: "leave one pillow on the bench" says that pillows are on it.
+void mark_asked_places(Options& all, const Scene& start, const Formula& goal) {
+  std::set<Predicate> asked;
+  asked_in(goal, true, asked);
+  for (GuessOption& thing : all.things) thing.is_where_asked = thing.support == 0 && asked.contains(Predicate::OnFloor);
+  const auto categories = categories_of(goal);
+  for (const Edge& edge : start.edges) {
+    const auto thing = all.place_of_thing.find(edge.from), below = all.place_of_thing.find(edge.to);
+    if (edge.relation != Predicate::On && edge.relation != Predicate::Inside) continue;
+    if (thing == all.place_of_thing.end() || below == all.place_of_thing.end()) continue;
+    if (std::find(categories.begin(), categories.end(), start.nodes[below->second].category) != categories.end())
+      all.things[thing->second].is_where_asked = true;
+  }
+}
 
 Options options_of(const Scene& start, const std::set<Predicate>& asked, const std::vector<std::string>& words) {
   Options all;
@@ -180,6 +199,7 @@ class Asker {
     const Trace trace = to_logic(task.start, {}, reads_comparisons(task.record.goal_tree));
     needs_ = goal_objects(task.record.goal_tree, trace);
     for (const GoalObjects& objects : needs_) needed_.insert(objects.referents.begin(), objects.referents.end());
+    mark_asked_places(options_, task.start, task.record.goal_tree);
   }
 
   void ask_all() {
@@ -248,7 +268,10 @@ class Asker {
     set_places(question.options);  // as of one kind
     for (std::size_t i = 0; i < kinds.size(); ++i) question.options[i].kind = kinds[i];
     if (asks_for_place(asked_)) {
-      for (GuessOption& option : question.options) option.support = option.room_type = 0;
+      for (GuessOption& option : question.options) {
+        option.support = option.room_type = 0;
+        option.is_where_asked = false;
+      }
     }
     keep(std::move(question));
   }

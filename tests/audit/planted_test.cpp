@@ -74,6 +74,12 @@ TEST(Audit, EveryPolicyHasAPlantedLeak) {
   EXPECT_GE(policies.size(), 20U);
 }
 
+GuessOption thing_of(const MadeTask& made, const std::string& id) {
+  const auto& nodes = made.task.start.nodes;
+  const auto at = std::find_if(nodes.begin(), nodes.end(), [&](const Node& node) { return node.id == id; });
+  return audited_task(made.task).things[static_cast<std::size_t>(at - nodes.begin())];
+}
+
 /// Whether a thing is clean tells nothing where the instruction says that something is to be cleaned, and it looks then
 /// as clean things do in other homes.
 TEST(Audit, TakesStatesThatTheGoalSpeaksOfAsTheyAreAtFirst) {
@@ -81,16 +87,65 @@ TEST(Audit, TakesStatesThatTheGoalSpeaksOfAsTheyAreAtFirst) {
   const auto key = [&](const char* goal, Predicate state) {
     made.task.record.goal_tree = *parse_formula("goal", goal, FormulaUse::Goal);
     edit_node(made.task.start, made.furniture)->states.set({state, ""});
-    const auto& nodes = made.task.start.nodes;
-    const auto at =
-        std::find_if(nodes.begin(), nodes.end(), [&](const Node& node) { return node.id == made.furniture; });
-    return audited_task(made.task).things[static_cast<std::size_t>(at - nodes.begin())].states;
+    return thing_of(made, made.furniture).states;
   };
   const char* to_clean = "(exists (?x - Mug) (at-end (clean ?x)))";
   const char* to_hold = "(exists (?x - Mug) (at-end (held ?x)))";
   EXPECT_NE(key(to_hold, Predicate::Dirty), key(to_hold, Predicate::Clean));
   EXPECT_EQ(key(to_clean, Predicate::Dirty), key(to_clean, Predicate::Clean));
   EXPECT_EQ(key(to_clean, Predicate::Dirty), key(to_hold, Predicate::Clean));
+}
+
+/// What is poured out is full, so neither being full nor not being empty sets it apart.
+TEST(Audit, TakesFullAndEmptyForOneTrait) {
+  MadeTask made = testing::made_set(1, Rng(3)).front();
+  const auto key = [&](const char* goal, State state) {
+    made.task.record.goal_tree = *parse_formula("goal", goal, FormulaUse::Goal);
+    Node& node = *edit_node(made.task.start, made.furniture);
+    node.states = {};
+    node.states.set(state);
+    return thing_of(made, made.furniture).states;
+  };
+  const State empty{Predicate::Empty, ""}, full{Predicate::Filled, "water"};
+  const char* to_hold = "(exists (?x - Mug) (at-end (held ?x)))";
+  EXPECT_NE(key(to_hold, full), key(to_hold, empty));
+  for (const char* goal :
+       {"(exists (?x - Mug) (at-end (empty ?x)))", "(exists (?x - Mug) (at-end (filled ?x water)))"}) {
+    EXPECT_EQ(key(goal, full), key(goal, empty)) << goal;
+    EXPECT_EQ(key(goal, full), key(to_hold, empty)) << goal;
+  }
+}
+
+/// "Leave one mug on the bed" says that mugs are on it.
+TEST(Audit, TakesPlacesThatTheGoalNamesForNothingUnusual) {
+  MadeTask made = testing::made_set(1, Rng(3)).front();
+  const auto is_where_asked = [&](const char* goal, const std::string& id) {
+    made.task.record.goal_tree = *parse_formula("goal", goal, FormulaUse::Goal);
+    return thing_of(made, id).is_where_asked;
+  };
+  const Scene& start = made.task.start;
+  const auto on = std::find_if(start.edges.begin(), start.edges.end(),
+                               [](const Edge& edge) { return edge.relation == Predicate::On; });
+  const std::string below = find_node(start, on->to)->category, thing = on->from;
+  const std::string named = "(exists (?x - Mug) (exists (?y - " + below + ") (at-end (on ?x ?y))))";
+  EXPECT_TRUE(is_where_asked(named.c_str(), thing));
+  EXPECT_FALSE(is_where_asked("(exists (?x - Mug) (at-end (held ?x)))", thing));
+  EXPECT_TRUE(
+      is_where_asked("(exists (?x - Mug) (exists (?r - kitchen) (at-end (not (on_floor ?x ?r)))))", made.furniture));
+  EXPECT_FALSE(is_where_asked("(exists (?x - Mug) (exists (?r - kitchen) (at-end (not (on_floor ?x ?r)))))", thing));
+}
+
+/// Nothing that stands where the goal speaks of is unusual there.
+TEST(Audit, FindsNothingInAPlaceThatTheGoalNames) {
+  const auto plant = std::find_if(testing::plants().begin(), testing::plants().end(),
+                                  [](const Plant& one) { return one.policy == "unusual-place"; });
+  auto made = planted(testing::made_set(kHomes, Rng(5)), *plant, true, Rng(6));
+  for (MadeTask& one : made) {
+    Formula& goal = one.task.record.goal_tree;
+    Formula box = *parse_formula("goal", "(exists (?b - Box) (at-end (closed ?b)))", FormulaUse::Goal);
+    goal = conjunction({goal, box});
+  }
+  EXPECT_THAT(leaks_of("unusual-place", audited(made)), IsEmpty());
 }
 
 TEST(Audit, FindsNothingWhereNothingIsPlanted) {
