@@ -91,19 +91,20 @@ std::string_view group_of(Predicate state) { return info(state == Predicate::Fil
 
 /// States that are asked for are taken to be as they are at first: left out, they would set the thing apart, too.
 std::uint64_t key_of_states(const StateSet& states, const std::set<Predicate>& asked) {
-  std::string text;
-  std::set<std::string_view> at_first;
+  std::set<std::string> as_known;  // sorted: what is filled lists its states in another order than what is empty
   for (const State& state : states.all()) {
     const auto group = group_of(state.predicate);
     const bool is_asked = std::any_of(asked.begin(), asked.end(), [&](Predicate one) {
       return one == state.predicate || (!group.empty() && group_of(one) == group);
     });
     if (!is_asked) {
-      text += std::string(info(state.predicate).name) + " " + state.symbol + ",";
-    } else if (!group.empty() && at_first.insert(group).second) {
-      text += std::string(default_of(group)) + " ,";
+      as_known.insert(std::string(info(state.predicate).name) + " " + state.symbol);
+    } else if (!group.empty()) {
+      as_known.insert(std::string(default_of(group)) + " ");
     }
   }
+  std::string text;
+  for (const std::string& state : as_known) text += state + ",";
   return word_key(text);
 }
 

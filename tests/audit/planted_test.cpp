@@ -103,7 +103,7 @@ TEST(Audit, TakesFullAndEmptyForOneTrait) {
     made.task.record.goal_tree = *parse_formula("goal", goal, FormulaUse::Goal);
     Node& node = *edit_node(made.task.start, made.furniture);
     node.states = {};
-    node.states.set(state);
+    for (const State& one : {state, State{Predicate::Intact, ""}}) node.states.set(one);
     return thing_of(made, made.furniture).states;
   };
   const State empty{Predicate::Empty, ""}, full{Predicate::Filled, "water"};
