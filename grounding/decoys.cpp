@@ -1,6 +1,7 @@
 #include "grounding/decoys.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <functional>
 #include <map>
@@ -16,9 +17,10 @@
 namespace unietp {
 namespace {
 
-constexpr int kTriesPerDecoy = 4;
+constexpr int kTriesPerDecoy = 4, kTriesPerRestated = 6;
 constexpr std::size_t kMostAdded = 20;  // to one start
 constexpr std::size_t kMostMoved = 12;
+constexpr std::size_t kMostRestated = 9;
 
 /// All that a category is called or stands for in texts.
 std::vector<std::string_view> names_of(const Category& category, const Knowledge& knowledge) {
@@ -32,6 +34,14 @@ std::vector<std::string_view> names_of(const Category& category, const Knowledge
 /// "Table" may mean a coffee table.
 bool may_mean(std::string_view name, std::string_view other) {
   return other.ends_with(name) && (other.size() == name.size() || other[other.size() - name.size() - 1] == ' ');
+}
+
+/// Whether other things may be in a state as well. How warm things are follows from where they are; nothing is left
+/// running, broken or cut up for no reason.
+bool may_be_common(const State& state) {
+  using enum Predicate;
+  constexpr std::array kNever{Hot, Cool, RoomTemperature, Frozen, Thawed, PowerOn, Broken, Sliced, Burnt};
+  return std::find(kNever.begin(), kNever.end(), state.predicate) == kNever.end();
 }
 
 class Decoys {
@@ -62,8 +72,9 @@ class Decoys {
         add_for(*knowledge().find(category), number - 1, {nullptr});
       }
       for (const Room* room : rooms_of_moved(category)) move_into(room);
+      for (const State& state : states_given(category)) give_to_others(state);
     }
-    return static_cast<int>(added_ + moved_);
+    return static_cast<int>(added_ + moved_ + restated_);
   }
 
  private:
@@ -97,6 +108,20 @@ class Decoys {
         rooms.push_back(workspace().room_of(place));
     }
     return rooms;
+  }
+
+  /// The states that movable things of a category are in and are not in the home, once for each thing.
+  std::vector<State> states_given(const std::string& category) {
+    std::vector<State> given;
+    for (const std::size_t place : workspace().places().of(category)) {
+      const Node& node = workspace().scene().nodes[place];
+      const auto before = home_.places.find(node.id);
+      if (!node.movable || !before) continue;
+      for (const State& state : node.states.all()) {
+        if (!home_.scene.nodes[*before].states.has(state) && may_be_common(state)) given.push_back(state);
+      }
+    }
+    return given;
   }
 
   std::size_t number_in_home(const std::string& category) const { return home_.places.of(category).size(); }
@@ -187,6 +212,31 @@ class Decoys {
     return false;
   }
 
+  /// Gives a state to things of the home that the task does not speak of, each once.
+  void give_to_others(const State& state) {
+    std::vector<std::string> ids;
+    for (const Node& node : home_.scene.nodes) {
+      const auto place = workspace().places().find(node.id);
+      if (!node.movable || spoken_.contains(node.category) || node.states.has(state)) continue;
+      if (place && workspace().scene().nodes[*place] == node) ids.push_back(node.id);
+    }
+    rng_.shuffle(ids);
+    int left = kRestatedDecoys, tries = kTriesPerRestated * kRestatedDecoys;
+    for (const std::string& id : ids) {
+      if (left == 0 || tries == 0 || restated_ == kMostRestated) break;
+      const Node before = workspace().scene().nodes[*workspace().places().find(id)];
+      if (!editor_.set_state(id, state.predicate, state.symbol, true)) continue;
+      --tries;
+      if (is_sensible(id)) {
+        ++restated_;
+        --left;
+      } else {
+        editor_.replace(before);
+        editor_.refresh();
+      }
+    }
+  }
+
   bool is_kept_in(const Category& category, const Room* room) {
     const auto* household = workspace().household();
     return room == nullptr || household == nullptr ||
@@ -246,7 +296,7 @@ class Decoys {
   std::set<std::string_view> names_;                     // of these
   std::set<std::string> places_;                         // categories of places that the goal names
   std::map<std::string_view, std::string_view> sliced_;  // categories that only slicing makes: of what
-  std::size_t added_ = 0, moved_ = 0;
+  std::size_t added_ = 0, moved_ = 0, restated_ = 0;
 };
 
 }  // namespace

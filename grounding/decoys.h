@@ -13,13 +13,16 @@ namespace unietp {
 /// which the home has as many as it had of the goal's, with models of the simulator where that has some, and slices for
 /// slices. Of a category of which the home has several and nothing was added, kDecoys others that it has once less come
 /// first to be given one more, in any room. For each thing of the goal that was moved, kDecoys others of the home are
-/// moved into its room. All are placed as SceneEditor places things, not where the goal puts something, nor in one
-/// place, drawn among the usual ones of their category, that a task for them could have named. Nothing of a category
-/// that the task speaks of is added or moved, and nothing is added that its words could mean; nothing stays where it
-/// would be senseless. Deterministic. How many things were added or moved.
+/// moved into its room; for each state that it was given, kRestatedDecoys others of the home are given it, if such
+/// things are in it at such places. All are placed as SceneEditor places things, not where the goal puts something, nor
+/// in one place, drawn among the usual ones of their category, that a task for them could have named. Nothing of a
+/// category that the task speaks of is added or moved, and nothing is added that its words could mean; nothing stays
+/// where it would be senseless. Deterministic. How many things were added, moved or given a state.
 int add_decoys(SceneEditor& editor, const Specification& specification, const Home& home, Rng rng);
 
 /// Categories for each one of the goal that was added to or that the home has several of, things for each moved one.
 inline constexpr int kDecoys = 7;
+/// Things for each state that a thing of the goal was given.
+inline constexpr int kRestatedDecoys = 3;
 
 }  // namespace unietp

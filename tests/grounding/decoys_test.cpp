@@ -115,6 +115,40 @@ TEST_F(DecoyStart, HasOtherThingsThatWereMovedToTheSameRooms) {
   EXPECT_GE(moved_others, 2 * moved_mugs);
 }
 
+/// "Hold a mug" in a home where all mugs have to be dirty: other things are dirty, too, that were clean.
+TEST_F(DecoyStart, HasOtherThingsInTheStatesThatItGaveThingsOfTheGoal) {
+  int starts = 0, others = 0, given = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    const Home lived_in = home(seed);
+    for (const bool decoys : {false, true}) {
+      GroundingOptions options;
+      options.household = style_->recipe.household.get();
+      options.decoys = decoys;
+      const auto result =
+          ground(specification("(exists (?a - Mug) (at-end (held ?a)))", {"(forall (?a - Mug) (dirty ?a))"}), lived_in,
+                 style_->knowledge, style_->profile, options, Rng(7));
+      const auto* grounded = std::get_if<Grounded>(&result);
+      if (grounded == nullptr) continue;
+      ++starts;
+      for (const Node& node : grounded->episode.start.nodes) {
+        const auto before = lived_in.places.find(node.id);
+        if (!before || !node.movable || !node.states.has(Predicate::Dirty) ||
+            lived_in.scene.nodes[*before].states.has(Predicate::Dirty))
+          continue;
+        if (node.category == "Mug") {
+          given += decoys ? 1 : 0;
+        } else {
+          EXPECT_TRUE(decoys) << node.id;
+          ++others;
+        }
+      }
+    }
+  }
+  EXPECT_GE(starts, 6);
+  EXPECT_GE(given, 1);
+  EXPECT_GE(others, given);
+}
+
 TEST_F(DecoyStart, IsTheHomeWhereNothingOfTheGoalWasChangedAndItHasOne) {
   int starts = 0;
   for (std::uint64_t seed = 1; seed <= 24; ++seed) {
