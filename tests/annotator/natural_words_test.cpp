@@ -73,6 +73,13 @@ TEST(NaturalWords, TakeAThingBeforeItsUseMeetsAPlace) {
   EXPECT_THAT(texts, Each(Not(HasSubstr("drink from on"))));
 }
 
+TEST(NaturalWords, SayLastWhatAThingIsNeededFor) {
+  const auto texts = texts_of(
+      "(exists (?a - (either Bowl Mug)) (exists (?k - Knife) (at-end (and (held ?k) (clean ?a)))))", "function");
+  EXPECT_THAT(texts, Contains(HasSubstr("something to drink from")));
+  EXPECT_THAT(texts, Each(Not(AnyOf(HasSubstr("drink from and a"), HasSubstr("drink from and the")))));
+}
+
 TEST(NaturalWords, TieToAnyOfAKindThatIsSpokenOf) {
   const auto texts =
       texts_of("(exists (?a - Mug) (at-end (clean ?a)))", "condition", "(count >= 1 (?m - Mug) (dirty ?m))");

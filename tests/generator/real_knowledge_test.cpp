@@ -8,6 +8,7 @@
 #include "generator/domain_constraints.h"
 #include "generator/propose.h"
 #include "generator/specification.h"
+#include "generator/style_fit.h"
 #include "sense/place_uses.h"
 #include "small_home.h"
 #include "tests/support/committed_knowledge.h"
@@ -50,6 +51,22 @@ TEST(RealKnowledge, TheFirstBindingsOfEveryTemplateCanBeInstantiated) {
         EXPECT_TRUE(made) << format(made.error());
       }
     }
+  }
+}
+
+TEST(RealKnowledge, HasWordsForAStyleOnlyWhereSomethingOfTheBindingHasThem) {
+  const Knowledge& knowledge = committed_knowledge(Simulator::Ai2thor);
+  const auto has = [&](Style style, const std::string& thing) {
+    return has_words_for(style, {{"A", thing}, {"B", "Desk"}}, knowledge);
+  };
+  ASSERT_TRUE(knowledge.aliases_of("Desk", AliasKind::Function).empty());
+  EXPECT_TRUE(has(Style::Function, "Mug"));
+  EXPECT_FALSE(has(Style::Function, "Statue"));
+  EXPECT_TRUE(has(Style::Direct, "Statue"));
+  for (const Category& category : knowledge.categories()) {
+    const bool named = !knowledge.aliases_of(category.name, AliasKind::Synonym).empty() ||
+                       !knowledge.aliases_of("Desk", AliasKind::Synonym).empty();
+    EXPECT_EQ(has(Style::Alias, category.name), named) << category.name;
   }
 }
 
