@@ -17,13 +17,20 @@ KnownHome& KnownWorld::home() {
   return *home_;
 }
 
-const World* KnownWorld::world() {
+World* KnownWorld::world() {
   if (!world_) {
-    auto made = World::create(window_.known_scene(), knowledge_, profile_, home().start());
+    Scene scene = believed_ != nullptr ? *believed_ : window_.known_scene();
+    KnownStart known = believed_ != nullptr ? home().of(scene) : home().start();
+    auto made = World::create(std::move(scene), knowledge_, profile_, std::move(known));
     if (!made) return nullptr;
     world_ = std::make_unique<World>(std::move(*made));
   }
   return world_.get();
+}
+
+void KnownWorld::believe(const Scene& believed) {
+  believed_ = &believed;
+  world_ = nullptr;
 }
 
 void KnownWorld::follow(const Action& action) {

@@ -35,6 +35,7 @@ class SearchOrder {
  public:
   /// `usual`: where things are in a lived-in home; nullptr: as the knowledge base says. All must outlive it. `shut`:
   /// categories that are not opened. `turn_deg`: by how much a step turns the agent.
+  /// Where no furniture is known from the start, it is taken to be in the rooms where such furniture usually is.
   SearchOrder(const Scene& known_scene, const Knowledge& knowledge, const Household* usual, std::set<std::string> shut,
               double turn_deg);
 
@@ -58,8 +59,8 @@ class SearchOrder {
   void peeked_into(const std::string& id);
   /// It was looked at once more.
   void looked_at(const std::string& id, const Belief& belief);
-  /// It was in view.
-  void glimpsed(const std::string& id);
+  /// It was in view; furniture that was not known is known from then on.
+  void glimpsed(const Node& node, const Scene& known_scene);
   /// It cannot be gone to.
   void give_up(const std::string& id);
   /// It cannot be opened.
@@ -82,6 +83,14 @@ class SearchOrder {
     double on = 0, inside = 0;
   };
   Chance chance(const SearchTarget& target, const Place& place) const;
+  /// In a room, on or in furniture that nobody has seen yet, or to find such furniture.
+  Chance chance_unseen(const SearchTarget& target, const Place& room) const;
+  /// How likely furniture of a category is in a type of room.
+  double suits(const std::string& category, const std::string& room_type) const;
+  /// Steps until furniture that is gone to only when it is in the picture is there; 0 where it is named by id.
+  double turns_to_see(const Place& place, const Scene& believed) const;
+  static Place furniture(const Node& node, const Scene& known_scene);
+  void add(Place place);
   /// That chance at each of the places, which is worked out once for a target.
   struct Chances {
     SearchTarget target;
@@ -99,7 +108,8 @@ class SearchOrder {
   const Knowledge& knowledge_;
   const Household* usual_;
   std::set<std::string> shut_;
-  double turns_;  // steps of a quarter turn
+  double turns_;                  // steps of a quarter turn
+  bool knows_furniture_ = false;  // from the start
   std::vector<Place> places_;
   std::map<std::string, std::size_t, std::less<>> place_of_;
   std::map<std::string, int, std::less<>> of_category_;  // how many pieces
