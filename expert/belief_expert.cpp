@@ -19,8 +19,8 @@ constexpr double kEnough = 0.05;  // of the chances to find more of what the goa
 // Of the limit of the mode: of steps spent on that before something is done, and of all when more is looked for at the
 // end.
 constexpr double kThorough = 0.4, kChecking = 0.6;
-constexpr int kStepsForTheRest = 4;              // at least, after what is needed was found
-constexpr std::size_t kMostGlances = 4000;         // that are thought of to bring one thing into the picture
+constexpr int kStepsForTheRest = 4;                   // at least, after what is needed was found
+constexpr std::size_t kMostGlances = 4000;            // that are thought of to bring one thing into the picture
 constexpr int kMostApproaches = 4, kMostReplans = 3;  // when a thing cannot be brought into it
 
 /// Looks, plans and acts behind a window.
@@ -32,13 +32,12 @@ class BeliefExpert {
         needs_(search_needs(problem.goal)),
         profile_(profile_in(problem.mode, problem.profile)),
         belief_(window.known_scene(), needs_, relevant()),
-        order_(window.known_scene(), problem.knowledge, problem.usual, needs_.shut, profile_.turn_deg),
+        order_(window.known_scene(), problem.knowledge, problem.usual, needs_.shut, profile_),
         known_world_(problem.knowledge, problem.profile, window),
         planner_(problem) {}
 
   std::optional<Trouble> run() {
     see();
-    if (points()) look_from_the_start();
     while (!gave_up_) {
       if (!planner_.rest().empty()) {
         if (follow()) return std::nullopt;
@@ -75,19 +74,12 @@ class BeliefExpert {
     const std::vector<Node> view = window_.view();
     belief_.see(view, window_.body());
     for (const Node& node : view) order_.glimpsed(node, window_.known_scene());
+    order_.stood(window_.body());
     if (!points()) return;
     in_picture_.clear();
     for (const Node& node : view) in_picture_.insert(node.id);
     for (const std::string& id : window_.body().held) in_picture_.erase(id);
     if (belief_.differed() || !known_world_.is_at(window_.body())) known_world_.believe(belief_.scene());
-  }
-
-  /// It has looked at the room that it is in, from where it stands.
-  void look_from_the_start() {
-    const Room* room = room_at(window_.known_scene(), window_.body().position);
-    if (room == nullptr) return;
-    at_ = room->id;
-    order_.looked_at(at_, belief_);
   }
 
   /// False when it could not be done.
@@ -304,11 +296,8 @@ class BeliefExpert {
     belief_.foresee(foreseen->changes());
   }
 
-  /// Where it stands after a step; who turns in a room still looks at the room.
+  /// Where it stands after a step.
   void note_place(const Action& action) {
-    const bool turns = action.type == ActionType::TurnLeft || action.type == ActionType::TurnRight ||
-                       action.type == ActionType::LookUp || action.type == ActionType::LookDown;
-    if (points() && turns && find_room(window_.known_scene(), at_) != nullptr) return;
     if (action.type == ActionType::GoTo) at_ = action.args.front();
     if (info(action.type).group == ActionClass::Movement && action.args.empty()) at_.clear();
   }
@@ -425,7 +414,7 @@ class BeliefExpert {
     const auto way = order_.way_to(look, at_);
     for (const Action& action : way) {
       if (points() && !come_to(action)) {
-        look.room ? order_.looked_at(look.id, belief_) : order_.give_up(look.id);
+        order_.give_up(look.id);
         return !gave_up_;
       }
       if (!known_world_.allows(action)) break;

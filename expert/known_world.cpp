@@ -49,7 +49,12 @@ KnownWorld::Obstacle KnownWorld::obstacle_to(const SearchOrder::Look& look, cons
   if (known == nullptr || look.from_here) return Obstacle::None;
   World trial = *known;
   if (!trial.step({ActionType::GoTo, {look.id}}).success) return Obstacle::NoWay;
-  if (look.opens) return trial.step({ActionType::Open, {look.id}}).success ? Obstacle::None : Obstacle::Shut;
+  if (look.opens) {
+    const Action open{ActionType::Open, {look.id}};
+    const bool opened = trial.step(open).success ||
+                        (trial.step({ActionType::TurnOff, {look.id}}).success && trial.step(open).success);
+    return opened ? Obstacle::None : Obstacle::Shut;
+  }
   trial = *known;
   const bool shows = std::all_of(way.begin(), way.end(), [&](const Action& one) { return trial.step(one).success; });
   return shows ? Obstacle::None : Obstacle::NoView;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 #include <utility>
 
@@ -35,15 +36,17 @@ double left_after(const std::array<double, 6>& left, int looks) {
 }  // namespace
 
 SearchOrder::SearchOrder(const Scene& known_scene, const Knowledge& knowledge, const Household* usual,
-                         std::set<std::string> shut, double turn_deg)
+                         std::set<std::string> shut, const Profile& profile)
     : knowledge_(knowledge),
       usual_(usual),
       shut_(std::move(shut)),
-      turns_(std::max(1.0, std::round(kQuarter_deg / turn_deg))),
+      views_(known_scene, profile),
+      turns_(std::max(1.0, std::round(kQuarter_deg / profile.turn_deg))),
       knows_furniture_(!known_scene.nodes.empty()) {
   for (const Node& node : known_scene.nodes) add(furniture(node, known_scene));
   for (const Room& room : known_scene.rooms) {
     Place place{room.id, "", room.type};
+    place.room = static_cast<std::size_t>(&room - known_scene.rooms.data());
     for (const Vec2& corner : room.polygon) place.position += corner / static_cast<double>(room.polygon.size());
     add(std::move(place));
   }
@@ -146,8 +149,9 @@ bool SearchOrder::is_shut(const Place& place, const Belief& belief) {
   return node != nullptr && node->openable && !node->states.has(Predicate::Open);
 }
 
-double SearchOrder::left_on(const Place& place, int looks) {
+double SearchOrder::left_on(const Place& place, int looks) const {
   if (place.given_up) return 0;
+  if (place.category.empty() && !knows_furniture_) return views_.unseen(place.room);
   if (place.category.empty()) return left_after(kLeftOfRoom, looks);
   return looks == 0 && place.glimpsed ? kGlimpsed : left_after(kLeftOfFurniture, looks);
 }
@@ -194,7 +198,15 @@ std::optional<SearchOrder::Look> SearchOrder::next(const std::vector<SearchTarge
       all.on += one.on;
       all.inside += one.inside;
     }
-    if (all.on + all.inside <= kLeast) continue;
+    if (all.on + all.inside <= kLeast || place.given_up) continue;
+    if (place.category.empty() && !knows_furniture_) {
+      const auto view = views_.best(place.room, agent);
+      if (!view) continue;
+      const double far = view->goes ? kPerMetre * (place.position - agent.position).norm() : 0;
+      offer(place, all.on * view->shows, view->steps() + far, false);
+      if (best && best->id == place.id) best->view = *view;
+      continue;
+    }
     const bool shut = is_shut(place, belief);
     const bool here = place.id == at && place.looks == 1;
     const double way =
@@ -236,6 +248,12 @@ std::vector<Action> SearchOrder::way_to(const Look& look, std::string_view at) c
   if (look.from_here) return {};
   const Action go{ActionType::GoTo, {look.id}};
   const bool here = at == look.id;
+  if (look.room && !knows_furniture_) {
+    const ActionType turn = look.view.turns > 0 ? ActionType::TurnLeft : ActionType::TurnRight;
+    std::vector<Action> way(static_cast<std::size_t>(std::abs(look.view.turns)), {turn, {}});
+    if (look.view.goes) way.insert(way.begin(), go);
+    return way;
+  }
   if (look.room && look.before > 0) {
     std::vector<Action> way(static_cast<std::size_t>(turns_), {ActionType::TurnLeft, {}});
     if (!here) way.insert(way.begin(), go);

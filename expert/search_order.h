@@ -10,8 +10,10 @@
 
 #include "akb/knowledge.h"
 #include "expert/belief.h"
+#include "expert/room_views.h"
 #include "grounding/household.h"
 #include "scene/action.h"
+#include "simulation/profile.h"
 
 namespace unietp {
 
@@ -34,10 +36,10 @@ std::string names_of(const std::vector<SearchTarget>& targets);
 class SearchOrder {
  public:
   /// `usual`: where things are in a lived-in home; nullptr: as the knowledge base says. All must outlive it. `shut`:
-  /// categories that are not opened. `turn_deg`: by how much a step turns the agent.
-  /// Where no furniture is known from the start, it is taken to be in the rooms where such furniture usually is.
+  /// categories that are not opened. Where no furniture is known from the start, it is taken to be in the rooms where
+  /// such furniture usually is.
   SearchOrder(const Scene& known_scene, const Knowledge& knowledge, const Household* usual, std::set<std::string> shut,
-              double turn_deg);
+              const Profile& profile);
 
   /// A place to look: a piece of furniture or a room.
   struct Look {
@@ -45,7 +47,8 @@ class SearchOrder {
     bool opens = false;  // it is opened for that
     int before = 0;      // how often it was looked at: each time from another angle
     bool room = false;
-    bool from_here = false;  // it is opened from where the agent stands
+    bool from_here = false;     // it is opened from where the agent stands
+    RoomViews::Look view = {};  // of a room, where no furniture was known from the start
   };
   /// Whether the agent could open a piece of furniture from where it stands, with it in the picture.
   using InReach = std::function<bool(const std::string& id)>;
@@ -59,6 +62,8 @@ class SearchOrder {
   void peeked_into(const std::string& id);
   /// It was looked at once more.
   void looked_at(const std::string& id, const Belief& belief);
+  /// The agent was there.
+  void stood(const Agent& body) { views_.saw(body); }
   /// It was in view; furniture that was not known is known from then on.
   void glimpsed(const Node& node, const Scene& known_scene);
   /// It cannot be gone to.
@@ -76,6 +81,7 @@ class SearchOrder {
     std::string room_type = "";
     Vec2 position = Vec2::Zero();
     int looks = 0, looks_inside = 0;
+    std::size_t room = 0;  // its position among the rooms, of a room
     bool glimpsed = false, peeked_into = false, given_up = false, stays_shut = false;
   };
   /// To find a thing on or in a place, before anybody looked.
@@ -99,7 +105,7 @@ class SearchOrder {
   const Chances& chances(const SearchTarget& target) const;
   /// With what has been seen: a piece of furniture that is looked for itself.
   Chance chance(const Chances& chances, std::size_t place, const Belief& belief) const;
-  static double left_on(const Place& place, int looks);
+  double left_on(const Place& place, int looks) const;
   /// `shut`: it is closed now; what was seen in it before still counts.
   double left_inside(const Place& place, bool shut, int looks) const;
   static bool is_shut(const Place& place, const Belief& belief);
@@ -108,6 +114,7 @@ class SearchOrder {
   const Knowledge& knowledge_;
   const Household* usual_;
   std::set<std::string> shut_;
+  RoomViews views_;
   double turns_;                  // steps of a quarter turn
   bool knows_furniture_ = false;  // from the start
   std::vector<Place> places_;
