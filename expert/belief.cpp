@@ -61,16 +61,19 @@ const Node* Belief::find(std::string_view id) const {
   return place ? &scene_.nodes[*place] : nullptr;
 }
 
-void Belief::put(const Node& node) {
+bool Belief::put(const Node& node) {
   if (const auto place = places_.find(node.id)) {
-    if (scene_.nodes[*place] != node) scene_.nodes.edit(*place) = node;
-    return;
+    if (scene_.nodes[*place] == node) return false;
+    scene_.nodes.edit(*place) = node;
+    return true;
   }
   places_.add(scene_.nodes.size(), node);
   scene_.nodes.push_back(node);
+  return true;
 }
 
 void Belief::see(const std::vector<Node>& view, const Agent& body) {
+  differed_ = false;
   scene_.agent = body;
   moved_.clear();
   for (const Node& node : view) {
@@ -83,12 +86,12 @@ void Belief::see(const std::vector<Node>& view, const Agent& body) {
     if (known == nullptr || (known->pose.position - node.pose.position).norm() > kElsewhere_m)
       moved_.push_back(node.id);
     seen_.insert(node.id);
-    put(node);
+    differed_ = put(node) || differed_;
   }
 }
 
 void Belief::foresee(const Delta& changes) {
-  for (const Node& node : changes.nodes) put(node);
+  for (const Node& node : changes.nodes) (void)put(node);
   if (changes.removed.empty()) return;
   erase_if(scene_.nodes, [&](const Node& node) {
     return std::find(changes.removed.begin(), changes.removed.end(), node.id) != changes.removed.end();

@@ -39,9 +39,12 @@ class Belief {
   const std::string& last_news() const { return last_news_; }
   /// What the last view showed for the first time, or elsewhere than believed.
   const std::vector<std::string>& moved() const { return moved_; }
+  /// Whether the last view showed anything in another way than believed.
+  bool differed() const { return differed_; }
 
  private:
-  void put(const Node& node);
+  /// Whether it was not so already.
+  bool put(const Node& node);
 
   Scene scene_;
   NodeIndex places_;
@@ -50,6 +53,7 @@ class Belief {
   int news_ = 0;
   std::string last_news_;
   std::vector<std::string> moved_;
+  bool differed_ = false;
 };
 
 }  // namespace unietp

@@ -1,25 +1,27 @@
 #include "expert/belief_expert.h"
 
 #include <algorithm>
-#include <memory>
 #include <set>
-#include <span>
 #include <utility>
 
 #include "expert/belief.h"
-#include "expert/execution.h"
+#include "expert/belief_planner.h"
+#include "expert/exploration.h"
 #include "expert/known_world.h"
 #include "expert/search_order.h"
 #include "expert/search_tools.h"
+#include "simulation/relations.h"
 
 namespace unietp {
 namespace {
 
-constexpr double kEnough = 0.05;        // of the chances to find more of what the goal speaks of all of
-constexpr int kMostThoroughSteps = 20;  // spent on that before something is done
-constexpr int kMostCheckingSteps = 30;  // of all, when more is looked for at the end
-constexpr int kStepsForTheRest = 4;     // at least, after what is needed was found
-constexpr std::size_t kLongestRun = 3;
+constexpr double kEnough = 0.05;  // of the chances to find more of what the goal speaks of all of
+// Of the limit of the mode: of steps spent on that before something is done, and of all when more is looked for at the
+// end.
+constexpr double kThorough = 0.4, kChecking = 0.6;
+constexpr int kStepsForTheRest = 4;                   // at least, after what is needed was found
+constexpr std::size_t kMostGlances = 4000;            // that are thought of to bring one thing into the picture
+constexpr int kMostApproaches = 4, kMostReplans = 3;  // when a thing cannot be brought into it
 
 /// Looks, plans and acts behind a window.
 class BeliefExpert {
@@ -28,15 +30,16 @@ class BeliefExpert {
       : problem_(problem),
         window_(window),
         needs_(search_needs(problem.goal)),
-        profile_(profile_of_m2(problem.profile)),
+        profile_(profile_in(problem.mode, problem.profile)),
         belief_(window.known_scene(), needs_, relevant()),
-        order_(window.known_scene(), problem.knowledge, problem.usual, needs_.shut, profile_.turn_deg),
-        known_world_(problem.knowledge, problem.profile, window) {}
+        order_(window.known_scene(), problem.knowledge, problem.usual, needs_.shut, profile_),
+        known_world_(problem.knowledge, problem.profile, window),
+        planner_(problem) {}
 
   std::optional<Trouble> run() {
     see();
     while (!gave_up_) {
-      if (has_plan()) {
+      if (!planner_.rest().empty()) {
         if (follow()) return std::nullopt;
       } else if (!may_plan() || !make_plan()) {
         search();
@@ -46,8 +49,10 @@ class BeliefExpert {
   }
 
  private:
-  int steps_left() const { return rules_of(Mode::M2).limits.steps - steps_; }
-  bool has_plan() const { return next_ < plan_.size(); }
+  /// M3: objects are named by pointing at them in the picture.
+  bool points() const { return problem_.mode == Mode::M3; }
+  int most_steps() const { return rules_of(problem_.mode).limits.steps; }
+  int steps_left() const { return most_steps() - steps_; }
   void give_up(std::string why, Failure failure = Failure::NotSeenYet) {
     trouble_ = {std::move(why), failure};
     gave_up_ = true;
@@ -68,7 +73,13 @@ class BeliefExpert {
   void see() {
     const std::vector<Node> view = window_.view();
     belief_.see(view, window_.body());
-    for (const Node& node : view) order_.glimpsed(node.id);
+    for (const Node& node : view) order_.glimpsed(node, window_.known_scene());
+    order_.stood(window_.body());
+    if (!points()) return;
+    in_picture_.clear();
+    for (const Node& node : view) in_picture_.insert(node.id);
+    for (const std::string& id : window_.body().held) in_picture_.erase(id);
+    if (belief_.differed() || !known_world_.is_at(window_.body())) known_world_.believe(belief_.scene());
   }
 
   /// False when it could not be done.
@@ -79,7 +90,7 @@ class BeliefExpert {
       return false;
     }
     ++steps_;
-    known_world_.follow(action);
+    if (!points() || !acted_) known_world_.follow(action);
     if (acted_) foresee(action);
     see();
     return true;
@@ -105,7 +116,8 @@ class BeliefExpert {
 
   void add_targets(std::vector<SearchTarget>& targets, const SearchNeed& need) const {
     for (const std::string& category : need.categories) {
-      if (is_movable(category)) targets.push_back({category, need.places, need.rooms, need.floor, need.near});
+      if (points() || is_movable(category))
+        targets.push_back({category, need.places, need.rooms, need.floor, need.near});
     }
   }
 
@@ -130,9 +142,9 @@ class BeliefExpert {
   }
 
   /// Of what the goal speaks of all of, where there may well be more.
-  std::vector<SearchTarget> overlooked(int most_steps) const {
+  std::vector<SearchTarget> overlooked(double most) const {
     std::vector<SearchTarget> targets;
-    if (steps_ >= most_steps) return targets;
+    if (steps_ >= most * most_steps()) return targets;
     for (const SearchNeed& need : needs_.needs) {
       if (!need.every) continue;
       std::vector<SearchTarget> all;
@@ -149,108 +161,30 @@ class BeliefExpert {
     return acted_ ? news : found_enough();
   }
 
-  /// What is believed of the home as it was when the first plan was made: with what has come into view since, as it is
-  /// unless the agent itself has changed it.
-  Scene believed_before() const {
-    if (done_.empty()) return belief_.scene();
-    Scene before = *believed_scene_;
-    NodeIndex places(before.nodes);
-    for (const Node& node : belief_.scene().nodes) {
-      if (touched_.contains(node.id)) continue;
-      if (const auto place = places.find(node.id)) {
-        if (before.nodes[*place] != node) before.nodes.edit(*place) = node;
-      } else if (node.slice_of.empty()) {
-        before.nodes.push_back(node);
-      }
-    }
-    return before;
-  }
-
-  /// A world made of what is believed, where the agent does again what it has done since the first plan, and how to go
-  /// on from there: the rest of the present plan if it still works, else another.
-  bool make_plan() {
+  bool make_plan(bool anew = false) {
     planned_at_ = belief_.news();
-    auto scene = std::make_unique<Scene>(believed_before());
-    KnownStart known = known_world_.home().of(*scene);
-    auto made = ExecutionTree::of(problem_.goal, *scene, problem_.knowledge, problem_.profile, std::move(known));
-    if (!made) return false;
-    auto tree = std::make_unique<ExecutionTree>(std::move(*made));
-    ModeRules rules = rules_of(Mode::M2);
-    rules.movables = true;  // all that is believed was seen
-    rules.limits.steps = steps_left() + static_cast<int>(done_.size());
-    Rollout again(*tree, rules);
-    again.go_on(done_);
-    unfit_ = again.done().size() != done_.size();
-    if (unfit_) {
-      trouble_ = {"what was done does not fit what was seen"};
-      return false;
-    }
-    std::optional<std::vector<Action>> plan = done_.empty() ? std::nullopt : the_rest(again);
-    if (!plan) plan = another_plan(*tree, rules);
-    if (!plan) return false;
-    if (plan->size() == 1 && !acted_) {
-      trouble_ = {"all that was seen is as it should be", Failure::NotSeenYet};
-      return false;  // there must be something to do: it was not seen yet
-    }
-    plan_ = std::move(*plan);
-    next_ = 0;
-    foreseen_ = std::make_unique<World>(tree->world());
-    for (const Action& action : done_) (void)foreseen_->step(action);
-    believed_ = std::move(tree);
-    believed_scene_ = std::move(scene);
-    return true;
-  }
-
-  /// What is left of the plan, if it reaches the goal.
-  std::optional<std::vector<Action>> the_rest(Rollout rollout) const {
-    const std::span left = std::span(plan_).subspan(std::min(next_, plan_.size()));
-    if (left.empty()) return std::nullopt;
-    rollout.go_on(left);
-    if (rollout.done().size() != done_.size() + left.size() || !rollout.reaches_goal()) return std::nullopt;
-    return std::vector(left.begin(), left.end());
-  }
-
-  std::optional<std::vector<Action>> another_plan(ExecutionTree& tree, const ModeRules& rules) {
-    const ExpertOptions options{.max_steps = rules.limits.steps, .mode = Mode::M2};
-    auto found = find_plan_from(tree, {done_, {}, false}, options);
-    if (auto* why = std::get_if<Rejection>(&found)) {
-      trouble_ = {std::string(name_of(why->reason)) + ": " + why->detail, why->failure};
-      return std::nullopt;
-    }
-    std::vector<Action> whole = done_;
-    const auto& rest = std::get<std::vector<Action>>(found);
-    whole.insert(whole.end(), rest.begin(), rest.end());
-    auto explored = explore(rules, tree, std::move(whole), options);
-    if (auto* why = std::get_if<Trouble>(&explored)) {
-      trouble_ = std::move(*why);
-      return std::nullopt;
-    }
-    auto& done = std::get<std::vector<Action>>(explored);
-    done.push_back({ActionType::Stop, {}});
-    if (done.size() <= done_.size() || !std::equal(done_.begin(), done_.end(), done.begin())) {
-      trouble_ = {"what was done does not fit what was seen"};
-      return std::nullopt;
-    }
-    const auto plan = without_needless(tree, rules, std::move(done), kLongestRun, done_.size());
-    if (!plan) return std::nullopt;
-    return std::vector(plan->begin() + static_cast<std::ptrdiff_t>(done_.size()), plan->end());
+    if (planner_.make(belief_, known_world_.home(), steps_left(), anew)) return true;
+    trouble_ = planner_.trouble();
+    return false;
   }
 
   /// One step of the plan; true when it was the last.
   bool follow() {
     if (concerns_plan()) {
-      if (!make_plan() && !unfit_) plan_.clear();
+      if (!make_plan() && !planner_.unfit()) planner_.drop();
       return false;
     }
-    if (std::exchange(strayed_, false)) (void)make_plan();  // else on with what was planned for another spot
-    if (plan_[next_].type == ActionType::Stop && look_for_more()) return false;
-    Action action = plan_[next_];
-    if (acts_on_presumed(action)) {
-      action = {ActionType::TurnTo, action.args};
-    } else {
-      ++next_;
-    }
+    if (std::exchange(strayed_, false) && !points()) (void)make_plan();  // else on with what was planned elsewhere
+    Action action = planner_.rest().front();
+    if (action.type == ActionType::Stop && look_for_more()) return false;
+    const bool looks_first = acts_on_presumed(action);
+    if (looks_first) action = {ActionType::TurnTo, action.args};
     if (action.type == ActionType::Stop) return window_.act(action).success;
+    if (points()) {
+      acted_ = true;
+      if (!come_to(action)) return plan_without(action), false;
+    }
+    if (!looks_first) planner_.advance();
     if (action.type == ActionType::TurnTo) looked_for_.insert(action.args.front());
     if (!act_as_planned(action)) {
       give_up("for " + to_text(action) + ": " + trouble_.text, trouble_.failure);
@@ -260,6 +194,76 @@ class BeliefExpert {
     return false;
   }
 
+  /// Plans anew, without what it cannot come to.
+  void plan_without(const Action& action) {
+    if (gave_up_) return;
+    const std::string why = "for " + to_text(action) + ": " + trouble_.text;
+    if (!action.args.empty()) planner_.avoid(action.args.front());
+    if (++replans_ > kMostReplans || !make_plan(true)) give_up(why, trouble_.failure);
+  }
+
+  bool names_object(const Action& action) const {
+    return !action.args.empty() && find_room(window_.known_scene(), action.args.front()) == nullptr;
+  }
+  bool can_say(const Action& action) const {
+    return !names_object(action) || in_picture_.contains(action.args.front());
+  }
+
+  /// Brings the object of an action into the picture, from where the action works as far as is known. False when it
+  /// does not know how, or something failed.
+  bool come_to(const Action& action) {
+    if (!names_object(action)) return known_world_.allows(action);
+    std::size_t looks_left = kMostGlances;
+    for (int tries = 0; tries < kMostApproaches; ++tries) {
+      if (can_say(action) && known_world_.allows(action)) return true;
+      const auto way = way_to(action, tries, looks_left);
+      if (!way) break;
+      for (const Action& step : *way) {
+        if (!can_say(step)) break;  // something that it did not know of hides it
+        if (!step_towards(step)) return false;
+        if (strayed_ || (can_say(action) && known_world_.allows(action))) break;
+      }
+      strayed_ = false;
+    }
+    if (can_say(action) && known_world_.allows(action)) return true;
+    trouble_ = {action.args.front() + " cannot be seen from where that works", Failure::NotSeenYet};
+    return false;
+  }
+
+  std::optional<std::vector<Action>> way_to(const Action& action, int tries, std::size_t& looks_left) {
+    const World* world = known_world_.world();
+    if (world == nullptr) return std::nullopt;
+    const std::string& id = action.args.front();
+    const ModeEpisode episode(*world, problem_.mode);
+    const Action approach{ActionType::GoTo, {id}};
+    if (action.type == ActionType::GoTo) return way_to_see(episode, id, Viewpoint::Anywhere, &looks_left);
+    if (tries == 0 && world->in_reach(id)) {
+      if (auto way = way_to_see(episode, id, Viewpoint::Here, &looks_left)) return way;
+    }
+    if (tries <= 1) {
+      if (can_say(approach)) return std::vector{approach};
+      if (auto way = way_to_see(episode, id, Viewpoint::Anywhere, &looks_left)) {
+        way->push_back(approach);
+        return way;
+      }
+    }
+    return way_to_see(episode, id, Viewpoint::InReach, &looks_left);
+  }
+
+  /// A step on the way to something; it may lead elsewhere than foreseen.
+  bool step_towards(const Action& step) {
+    if (acted_) {
+      if (!act_as_planned(step)) give_up("to see more: " + trouble_.text, trouble_.failure);
+      return !gave_up_;
+    }
+    if (!act(step)) {
+      give_up("in search: " + trouble_.text, trouble_.failure);
+      return false;
+    }
+    note_place(step);
+    return true;
+  }
+
   /// Whether it switches or moves a door of furniture whose state nobody has seen yet: that is looked at first.
   bool acts_on_presumed(const Action& action) const {
     const bool depends = action.type == ActionType::TurnOn || action.type == ActionType::TurnOff ||
@@ -267,14 +271,14 @@ class BeliefExpert {
     if (!depends || action.args.empty() || looked_for_.contains(action.args.front()) ||
         belief_.has_seen(action.args.front()))
       return false;
-    World trial = *foreseen_;
+    World trial = *planner_.foreseen();
     return trial.step({ActionType::TurnTo, action.args}).success;
   }
 
   /// All is done that was seen to be needed. One look more where there may well be more of what the goal speaks of all
   /// of; false when that is not worth it.
   bool look_for_more() {
-    const auto targets = overlooked(kMostCheckingSteps);
+    const auto targets = overlooked(kChecking);
     const auto look = targets.empty() || steps_left() <= kStepsForTheRest ? std::nullopt : next_look(targets);
     if (!look) return false;
     const int before = belief_.news();
@@ -285,10 +289,23 @@ class BeliefExpert {
 
   /// Takes in what an action must have changed.
   void foresee(const Action& action) {
-    done_.push_back(action);
-    (void)foreseen_->step(action);
-    for (const Node& node : foreseen_->changes().nodes) touched_.insert(node.id);
-    belief_.foresee(foreseen_->changes());
+    World* foreseen = points() ? known_world_.world() : planner_.foreseen();
+    if (foreseen == nullptr) return;
+    (void)foreseen->step(action);
+    planner_.did(action, foreseen->changes());
+    belief_.foresee(foreseen->changes());
+  }
+
+  /// Where it stands after a step.
+  void note_place(const Action& action) {
+    if (action.type == ActionType::GoTo) at_ = action.args.front();
+    if (info(action.type).group == ActionClass::Movement && action.args.empty()) at_.clear();
+  }
+
+  /// Where the last action should have led.
+  Vec2 led_to() {
+    const World* foreseen = points() ? known_world_.world() : planner_.foreseen();
+    return foreseen == nullptr ? window_.body().position : foreseen->agent().position;
   }
 
   bool act_as_planned(const Action& action) {
@@ -298,21 +315,21 @@ class BeliefExpert {
       return false;
     }
     ++steps_;
-    if (action.type == ActionType::GoTo) at_ = action.args.front();
-    if (info(action.type).group == ActionClass::Movement && action.args.empty()) at_.clear();
+    note_place(action);
     foresee(action);
     const int before = belief_.news();
+    const Vec2 expected = led_to();
     see();
     surprised_ = surprised_ || belief_.news() != before || in_the_way();
-    strayed_ = (foreseen_->agent().position - window_.body().position).norm() > kStray_m;
+    strayed_ = (expected - window_.body().position).norm() > kStray_m;
     return true;
   }
 
   /// Something came into view where the plan puts something down.
   bool in_the_way() const {
-    for (auto action = plan_.begin() + static_cast<std::ptrdiff_t>(next_); action != plan_.end(); ++action) {
-      if (action->type != ActionType::PlaceOn && action->type != ActionType::PlaceIn) continue;
-      const Node* target = belief_.find(action->args.front());
+    for (const Action& action : planner_.rest()) {
+      if (action.type != ActionType::PlaceOn && action.type != ActionType::PlaceIn) continue;
+      const Node* target = belief_.find(action.args.front());
       if (target == nullptr) continue;
       const Bounds there = bounds_of(target->pose, target->size);
       const auto is_there = [&](const std::string& id) {
@@ -336,12 +353,12 @@ class BeliefExpert {
       if (need.every && holds(need.categories, news->category)) return true;
     }
     const auto uses = [&](const Action& action) { return !action.args.empty() && action.args.front() == news->id; };
-    return std::any_of(plan_.begin() + static_cast<std::ptrdiff_t>(next_), plan_.end(), uses);
+    return std::any_of(planner_.rest().begin(), planner_.rest().end(), uses);
   }
 
   /// Enough is known to try a plan that was not tried yet.
   bool found_enough() const {
-    return planned_at_ != belief_.news() && missing().empty() && overlooked(kMostThoroughSteps).empty();
+    return planned_at_ != belief_.news() && missing().empty() && overlooked(kThorough).empty();
   }
 
   bool would_work(const SearchOrder::Look& look) {
@@ -367,7 +384,9 @@ class BeliefExpert {
 
   /// The most promising look that would work, as far as is known.
   std::optional<SearchOrder::Look> next_look(const std::vector<SearchTarget>& targets) {
-    const auto in_reach = [this](const std::string& id) { return known_world_.opens_from_here(id); };
+    const auto in_reach = [this](const std::string& id) {
+      return (!points() || in_picture_.contains(id)) && known_world_.opens_from_here(id);
+    };
     auto look = order_.next(targets, belief_, at_, in_reach);
     while (look && !would_work(*look)) look = order_.next(targets, belief_, at_, in_reach);
     return look;
@@ -378,7 +397,7 @@ class BeliefExpert {
     if (steps_left() <= kStepsForTheRest)
       return give_up("too long a search for " + names_of(missing()) + "; " + trouble_.text);
     auto targets = missing();
-    if (targets.empty()) targets = overlooked(kMostThoroughSteps);
+    if (targets.empty()) targets = overlooked(kThorough);
     if (targets.empty()) {
       for (const SearchNeed& need : needs_.needs) {
         for (const std::string& category : need.categories)
@@ -394,15 +413,25 @@ class BeliefExpert {
   bool look_there(const SearchOrder::Look& look) {
     const auto way = order_.way_to(look, at_);
     for (const Action& action : way) {
+      if (points() && !come_to(action)) {
+        order_.give_up(look.id);
+        return !gave_up_;
+      }
       if (!known_world_.allows(action)) break;
       if (!act(action)) return false;
-      at_ = action.type == ActionType::GoTo ? action.args.front() : at_;
+      if (points()) note_place(action);
+      if (!points() && action.type == ActionType::GoTo) at_ = action.args.front();
       if (action != way.back() && found_enough()) break;
     }
     const bool opens = look.opens && (way.empty() || look.before > 0 || !found_enough());
     if (opens && !belief_.find(look.id)->states.has(Predicate::Open)) {
-      if (runs(look.id) && !act({ActionType::TurnOff, {look.id}})) return false;
-      if (!act({ActionType::Open, {look.id}})) return false;
+      const Action open{ActionType::Open, {look.id}}, stop{ActionType::TurnOff, {look.id}};
+      if (points() && !come_to(runs(look.id) ? stop : open)) {
+        order_.keep_shut(look.id);
+        return !gave_up_;
+      }
+      if (runs(look.id) && !act(stop)) return false;
+      if (!act(open)) return false;
     }
     look.from_here ? order_.peeked_into(look.id) : order_.looked_at(look.id, belief_);
     return true;
@@ -415,16 +444,10 @@ class BeliefExpert {
   Belief belief_;
   SearchOrder order_;
   KnownWorld known_world_;
-
-  std::vector<Action> plan_;
-  std::size_t next_ = 0;
-  bool unfit_ = false;   // no plan was made, since what was done does not work in the home that is believed now
-  int planned_at_ = -1;  // the news when it was made, or could not be made
-  std::unique_ptr<Scene> believed_scene_;  // before the first plan
-  std::unique_ptr<ExecutionTree> believed_;
-  std::unique_ptr<World> foreseen_;                // where the plan should have led by now
-  std::vector<Action> done_;                       // since the first plan
-  std::set<std::string, std::less<>> touched_;     // what that changed
+  BeliefPlanner planner_;
+  int planned_at_ = -1;                            // the news when a plan was made, or could not be made
+  int replans_ = 0;                                // for want of a view
+  std::set<std::string, std::less<>> in_picture_;  // M3: what can be pointed at
   std::set<std::string, std::less<>> looked_for_;  // furniture that was turned to before it was used
 
   std::string at_;  // the place that it looked at last

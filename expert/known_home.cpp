@@ -17,6 +17,20 @@ void each_other_node(const Scene& scene, const Scene& than, const Visit& visit) 
   }
 }
 
+/// The places of what the agent holds, with what lies on or in that.
+std::vector<std::size_t> in_the_hand(const Scene& scene) {
+  std::vector<std::string> ids;
+  for (const std::string& id : scene.agent.held) {
+    ids.push_back(id);
+    for (std::string& carried : carried_by(scene, id)) ids.push_back(std::move(carried));
+  }
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < scene.nodes.size() && !ids.empty(); ++i) {
+    if (std::find(ids.begin(), ids.end(), scene.nodes[i].id) != ids.end()) places.push_back(i);
+  }
+  return places;
+}
+
 }  // namespace
 
 KnownHome::KnownHome(const Scene& known_scene, const Profile& profile)
@@ -33,18 +47,20 @@ KnownStart KnownHome::of(Scene& scene) {
   each_other_node(scene, known_scene_, [&](std::size_t i, const Node& node) {
     const auto collider = colliders_.of(node);
     known.physics.set(BodyId::node(i), collider, node.pose, node.movable ? node.mass : 0);
-    const auto& held = scene.agent.held;
-    const bool stands = std::find(held.begin(), held.end(), node.id) == held.end();
-    grid.update(i, stands ? &node : nullptr, stands ? &collider->shape : nullptr);
+    grid.update(i, &node, &collider->shape);
   });
   for (std::size_t i = scene.nodes.size(); i < known_scene_.nodes.size(); ++i) {
     known.physics.remove(BodyId::node(i));
     grid.update(i, nullptr, nullptr);
   }
-  CellSet reached = grid.reached_from(grid.cell_at(scene.agent.position), walk_->grid, walk_->reached);
-  known.walk = std::make_shared<const Walk>(Walk{std::move(grid), std::move(reached), {}});
   known.links = LinkTable(scene, known.physics);
   scene.edges = known.links->edges(scene);
+  if (const auto in_hand = in_the_hand(scene); !in_hand.empty()) {
+    for (const std::size_t i : in_hand) grid.update(i, nullptr, nullptr);
+    known.links = std::nullopt;  // which are of a home where nothing is in the hand
+  }
+  CellSet reached = grid.reached_from(grid.cell_at(scene.agent.position), walk_->grid, walk_->reached);
+  known.walk = std::make_shared<const Walk>(Walk{std::move(grid), std::move(reached), {}});
   return known;
 }
 

@@ -18,7 +18,8 @@ class KnownHome {
 
   /// Of the home as it is known at the start.
   KnownStart start() const;
-  /// Of what is believed of it, which gets its relations. Equal to what is computed from `scene` alone.
+  /// Of what is believed of it, which gets its relations. Equal to what is computed from `scene` alone. What is in the
+  /// hand has none but to what else is there.
   KnownStart of(Scene& scene);
 
  private:

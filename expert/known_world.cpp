@@ -17,13 +17,20 @@ KnownHome& KnownWorld::home() {
   return *home_;
 }
 
-const World* KnownWorld::world() {
+World* KnownWorld::world() {
   if (!world_) {
-    auto made = World::create(window_.known_scene(), knowledge_, profile_, home().start());
+    Scene scene = believed_ != nullptr ? *believed_ : window_.known_scene();
+    KnownStart known = believed_ != nullptr ? home().of(scene) : home().start();
+    auto made = World::create(std::move(scene), knowledge_, profile_, std::move(known));
     if (!made) return nullptr;
     world_ = std::make_unique<World>(std::move(*made));
   }
   return world_.get();
+}
+
+void KnownWorld::believe(const Scene& believed) {
+  believed_ = &believed;
+  world_ = nullptr;
 }
 
 void KnownWorld::follow(const Action& action) {
@@ -42,7 +49,12 @@ KnownWorld::Obstacle KnownWorld::obstacle_to(const SearchOrder::Look& look, cons
   if (known == nullptr || look.from_here) return Obstacle::None;
   World trial = *known;
   if (!trial.step({ActionType::GoTo, {look.id}}).success) return Obstacle::NoWay;
-  if (look.opens) return trial.step({ActionType::Open, {look.id}}).success ? Obstacle::None : Obstacle::Shut;
+  if (look.opens) {
+    const Action open{ActionType::Open, {look.id}};
+    const bool opened = trial.step(open).success ||
+                        (trial.step({ActionType::TurnOff, {look.id}}).success && trial.step(open).success);
+    return opened ? Obstacle::None : Obstacle::Shut;
+  }
   trial = *known;
   const bool shows = std::all_of(way.begin(), way.end(), [&](const Action& one) { return trial.step(one).success; });
   return shows ? Obstacle::None : Obstacle::NoView;

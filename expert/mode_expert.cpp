@@ -5,7 +5,6 @@
 
 #include "expert/belief_expert.h"
 #include "expert/execution.h"
-#include "expert/explorer.h"
 #include "expert/search_marks.h"
 
 namespace unietp {
@@ -54,22 +53,6 @@ std::variant<std::vector<Action>, Rejection> plan_of_who_knows(Mode mode, Execut
   return find_plan(executions, options);
 }
 
-/// What was done by one who knows where everything is, with `stop`, but for what can be left out.
-std::variant<std::vector<Action>, Rejection> act_by_knowledge(Mode mode, ExecutionTree& executions,
-                                                              std::vector<Action> plan, const ExpertOptions& options) {
-  constexpr std::size_t kLongestRun = 3;
-  const ModeRules rules = rules_of(mode);
-  auto explored = explore(rules, executions, std::move(plan), options);
-  if (auto* why = std::get_if<Trouble>(&explored)) return Rejection{not_in(mode), std::move(why->text), why->failure};
-  auto& done = std::get<std::vector<Action>>(explored);
-  done.push_back({ActionType::Stop, {}});
-  auto actions = without_needless(executions, rules, std::move(done), kLongestRun);
-  if (!actions) return Rejection{not_in(mode), "done so, it does not reach the goal"};
-  if (static_cast<int>(actions->size()) > rules.limits.steps)
-    return Rejection{not_in(mode), "needs " + std::to_string(actions->size()) + " steps"};
-  return std::move(*actions);
-}
-
 }  // namespace
 
 std::optional<Rejection> ruled_out_in(Mode mode, const Formula& goal) {
@@ -81,10 +64,11 @@ std::optional<Rejection> ruled_out_in(Mode mode, const Formula& goal) {
                    Failure::NotOffered};
 }
 
-std::variant<std::vector<Action>, Rejection> act_by_belief(ExecutionTree& executions, const Household* usual) {
-  const auto rejected = [](Trouble why) { return Rejection{not_in(Mode::M2), std::move(why.text), why.failure}; };
-  EpisodeWindow window(executions);
-  const SearchProblem problem{executions.goal(), executions.knowledge(), executions.profile(), usual};
+std::variant<std::vector<Action>, Rejection> act_by_belief(Mode mode, ExecutionTree& executions,
+                                                           const Household* usual) {
+  const auto rejected = [mode](Trouble why) { return Rejection{not_in(mode), std::move(why.text), why.failure}; };
+  EpisodeWindow window(executions, mode);
+  const SearchProblem problem{executions.goal(), executions.knowledge(), executions.profile(), usual, mode};
   if (auto why = reach_by_belief(problem, window)) return rejected(std::move(*why));
   if (!window.reaches_goal()) return rejected({"done by what was seen, it does not reach the goal"});
   return window.done();
@@ -99,8 +83,7 @@ std::variant<Demonstration, Rejection> demonstrate_in(Mode mode, ExecutionTree& 
     return Rejection{not_in(mode), std::string(name_of(why->reason)) + ": " + why->detail, why->failure};
   auto& shortest = std::get<std::vector<Action>>(known);
   if (done.empty()) {
-    auto acted =
-        mode == Mode::M2 ? act_by_belief(executions, usual) : act_by_knowledge(mode, executions, shortest, options);
+    auto acted = act_by_belief(mode, executions, usual);
     if (auto* why = std::get_if<Rejection>(&acted)) return std::move(*why);
     done = std::move(std::get<std::vector<Action>>(acted));
   }

@@ -13,18 +13,16 @@ class Household;
 /// mode can meet the goal. Reason `not-in-m2` or `not-in-m3`.
 std::optional<Rejection> ruled_out_in(Mode mode, const Formula& goal);
 
-/// What an agent of M2 does to reach the goal by what it can know there (belief_expert.h), with `stop`. `usual`: where
-/// things usually are. Rejections: as demonstrate_in.
-std::variant<std::vector<Action>, Rejection> act_by_belief(ExecutionTree& executions, const Household* usual);
+/// What an agent of a mode, M2 or M3, does to reach the goal by what it can know there (belief_expert.h), with `stop`.
+/// `usual`: where things usually are. Rejections: as demonstrate_in.
+std::variant<std::vector<Action>, Rejection> act_by_belief(Mode mode, ExecutionTree& executions,
+                                                           const Household* usual);
 
-/// Stage: the same goal under the rules of another mode, M2 or M3. In M2 as act_by_belief does. In M3 what to do to
-/// which thing is planned as for M1, but with the actions that the mode offers (the plan of `shown`, the demonstration
-/// in M1, where it is one already); how to come to each thing follows the rules: looked for until the camera shows it,
-/// gone to only as the mode lets one, and pointed at with its box in the picture; no step can be left out. Kept only if
-/// the goal holds on the executed trace within the limits of the mode. Steps that only served to see something are
-/// marked; the plan of one who knows the whole home is kept beside it. Deterministic. Rejections: stage `expert`,
-/// reason `not-in-m2` or `not-in-m3`; the detail says what stood in the way. `done`: what act_by_belief gave here, for
-/// M2; empty: it is asked.
+/// Stage: the same goal under the rules of another mode, M2 or M3, as act_by_belief does it. Kept only if the goal
+/// holds on the executed trace within the limits of the mode. Steps that only served to see something are marked; the
+/// plan of one who knows the whole home, with the actions that the mode offers, is kept beside it: that of `shown`, the
+/// demonstration in M1, where it is one already. Deterministic. Rejections: stage `expert`, reason `not-in-m2` or
+/// `not-in-m3`; the detail says what stood in the way. `done`: what act_by_belief gave here; empty: it is asked.
 std::variant<Demonstration, Rejection> demonstrate_in(Mode mode, ExecutionTree& executions, const Demonstration& shown,
                                                       const Household* usual = nullptr, std::vector<Action> done = {});
 std::variant<Demonstration, Rejection> demonstrate_in(Mode mode, const Formula& goal, const Scene& start,

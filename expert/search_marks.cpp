@@ -11,7 +11,9 @@ bool may_be_search(ActionType type) {
 }
 
 void mark_search(ExecutionTree& executions, Demonstration& demonstration) {
-  Rollout here(executions, rules_of(Mode::M1));
+  ModeRules told = rules_of(Mode::M1);
+  told.limits = rules_of(demonstration.mode).limits;
+  Rollout here(executions, told);
   for (auto step = demonstration.steps.begin(); step != demonstration.steps.end(); ++step) {
     if (may_be_search(step->action.type)) {
       Rollout without = here;

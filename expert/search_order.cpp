@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
+#include <numbers>
 #include <utility>
 
 #include "core/text.h"
@@ -19,6 +21,9 @@ constexpr double kOddRoom = 0.1;     // of the chance in a room that the knowled
 constexpr double kOdd = 1e-4;        // chance of a place where such things are not known to be
 constexpr double kOnFloor = 1e-3;    // of a room
 constexpr double kLiesAbout = 0.1;   // times how usual it is that such a thing is on the floor
+constexpr double kOnUnseen = 0.5;    // chance of a room whose furniture is not known, where such things usually are
+constexpr double kAnother = 0.3;     // of the chance that there is such furniture, where some is known
+constexpr double kInPicture = 0.5;   // quarter turns to the edge of the picture
 constexpr double kLeast = 1e-9;
 constexpr double kBeside_m = 3;
 constexpr double kQuarter_deg = 90;  // from one view of a room to the next
@@ -31,24 +36,33 @@ double left_after(const std::array<double, 6>& left, int looks) {
 }  // namespace
 
 SearchOrder::SearchOrder(const Scene& known_scene, const Knowledge& knowledge, const Household* usual,
-                         std::set<std::string> shut, double turn_deg)
+                         std::set<std::string> shut, const Profile& profile)
     : knowledge_(knowledge),
       usual_(usual),
       shut_(std::move(shut)),
-      turns_(std::max(1.0, std::round(kQuarter_deg / turn_deg))) {
-  for (const Node& node : known_scene.nodes) {
-    ++of_category_[node.category];
-    Place place{node.id, node.category};
-    place.position = node.pose.position.head<2>();
-    if (const Room* room = room_at(known_scene, place.position)) place.room_type = room->type;
-    places_.push_back(std::move(place));
-  }
+      views_(known_scene, profile),
+      turns_(std::max(1.0, std::round(kQuarter_deg / profile.turn_deg))),
+      knows_furniture_(!known_scene.nodes.empty()) {
+  for (const Node& node : known_scene.nodes) add(furniture(node, known_scene));
   for (const Room& room : known_scene.rooms) {
     Place place{room.id, "", room.type};
+    place.room = static_cast<std::size_t>(&room - known_scene.rooms.data());
     for (const Vec2& corner : room.polygon) place.position += corner / static_cast<double>(room.polygon.size());
-    places_.push_back(std::move(place));
+    add(std::move(place));
   }
-  for (std::size_t i = 0; i < places_.size(); ++i) place_of_[places_[i].id] = i;
+}
+
+SearchOrder::Place SearchOrder::furniture(const Node& node, const Scene& known_scene) {
+  Place place{node.id, node.category};
+  place.position = node.pose.position.head<2>();
+  if (const Room* room = room_at(known_scene, place.position)) place.room_type = room->type;
+  return place;
+}
+
+void SearchOrder::add(Place place) {
+  if (!place.category.empty()) ++of_category_[place.category];
+  place_of_[place.id] = places_.size();
+  places_.push_back(std::move(place));
 }
 
 SearchOrder::Place* SearchOrder::find(const std::string& id) {
@@ -56,7 +70,35 @@ SearchOrder::Place* SearchOrder::find(const std::string& id) {
   return found == place_of_.end() ? nullptr : &places_[found->second];
 }
 
+double SearchOrder::suits(const std::string& category, const std::string& room_type) const {
+  const Category* known = knowledge_.find(category);
+  return known == nullptr || known->rooms.empty() || holds(known->rooms, room_type) ? 1 : kOddRoom;
+}
+
+SearchOrder::Chance SearchOrder::chance_unseen(const SearchTarget& target, const Place& room) const {
+  double best = 0;
+  const Category* category = knowledge_.find(target.category);
+  const auto offer = [&](const std::string& furniture) {
+    const auto known = of_category_.find(furniture);
+    best = std::max(best, suits(furniture, room.room_type) * (known == of_category_.end() ? 1 : kAnother));
+  };
+  if (category != nullptr && !category->movable) {
+    offer(target.category);
+  } else if (target.floor) {
+    best = 1;
+  } else if (!target.places.empty() || !target.near.empty()) {
+    for (const std::string& furniture : target.places) offer(furniture);
+    for (const std::string& furniture : target.near) offer(furniture);
+  } else {
+    best = kOnUnseen * (usual_ == nullptr ? suits(target.category, room.room_type)
+                                          : usual_->in_room(target.category, room.room_type));
+  }
+  const bool fits = target.rooms.empty() || holds(target.rooms, room.room_type);
+  return {best * (fits ? 1 : kElsewhere), 0};
+}
+
 SearchOrder::Chance SearchOrder::chance(const SearchTarget& target, const Place& place) const {
+  if (place.category.empty() && !knows_furniture_) return chance_unseen(target, place);
   const bool fits = target.rooms.empty() || holds(target.rooms, place.room_type);
   const double suits = usual_ == nullptr ? 1 : usual_->in_room(target.category, place.room_type);
   if (place.category.empty()) {
@@ -107,8 +149,9 @@ bool SearchOrder::is_shut(const Place& place, const Belief& belief) {
   return node != nullptr && node->openable && !node->states.has(Predicate::Open);
 }
 
-double SearchOrder::left_on(const Place& place, int looks) {
+double SearchOrder::left_on(const Place& place, int looks) const {
   if (place.given_up) return 0;
+  if (place.category.empty() && !knows_furniture_) return views_.unseen(place.room);
   if (place.category.empty()) return left_after(kLeftOfRoom, looks);
   return looks == 0 && place.glimpsed ? kGlimpsed : left_after(kLeftOfFurniture, looks);
 }
@@ -117,6 +160,16 @@ double SearchOrder::left_inside(const Place& place, bool shut, int looks) const 
   if (place.given_up) return 0;
   if (shut && (place.stays_shut || shut_.contains(place.category))) return 0;
   return looks == 0 && place.peeked_into ? kGlimpsed : left_after(kLeftOfFurniture, looks);
+}
+
+double SearchOrder::turns_to_see(const Place& place, const Scene& believed) const {
+  if (knows_furniture_ || place.category.empty()) return 0;
+  const Agent& agent = believed.agent;
+  const Room* room = room_at(believed, agent.position);
+  if (room == nullptr || room->type != place.room_type) return 1 + turns_;
+  const Vec2 ahead(std::cos(agent.yaw), std::sin(agent.yaw)), way = place.position - agent.position;
+  const double aside = std::abs(std::atan2(ahead.x() * way.y() - ahead.y() * way.x(), ahead.dot(way)));
+  return std::max(0.0, turns_ * (aside / (std::numbers::pi / 2) - kInPicture));
 }
 
 std::string names_of(const std::vector<SearchTarget>& targets) {
@@ -145,10 +198,19 @@ std::optional<SearchOrder::Look> SearchOrder::next(const std::vector<SearchTarge
       all.on += one.on;
       all.inside += one.inside;
     }
-    if (all.on + all.inside <= kLeast) continue;
+    if (all.on + all.inside <= kLeast || place.given_up) continue;
+    if (place.category.empty() && !knows_furniture_) {
+      const auto view = views_.best(place.room, agent);
+      if (!view) continue;
+      const double far = view->goes ? kPerMetre * (place.position - agent.position).norm() : 0;
+      offer(place, all.on * view->shows, view->steps() + far, false);
+      if (best && best->id == place.id) best->view = *view;
+      continue;
+    }
     const bool shut = is_shut(place, belief);
     const bool here = place.id == at && place.looks == 1;
-    const double way = here ? 0 : 1 + kPerMetre * (place.position - agent.position).norm();
+    const double way =
+        here ? 0 : 1 + kPerMetre * (place.position - agent.position).norm() + turns_to_see(place, belief.scene());
     const double on = all.on * (left_on(place, place.looks) - left_on(place, place.looks + 1));
     const double inside_now = shut ? 0
                                    : all.inside * (left_inside(place, false, place.looks_inside) -
@@ -186,6 +248,12 @@ std::vector<Action> SearchOrder::way_to(const Look& look, std::string_view at) c
   if (look.from_here) return {};
   const Action go{ActionType::GoTo, {look.id}};
   const bool here = at == look.id;
+  if (look.room && !knows_furniture_) {
+    const ActionType turn = look.view.turns > 0 ? ActionType::TurnLeft : ActionType::TurnRight;
+    std::vector<Action> way(static_cast<std::size_t>(std::abs(look.view.turns)), {turn, {}});
+    if (look.view.goes) way.insert(way.begin(), go);
+    return way;
+  }
   if (look.room && look.before > 0) {
     std::vector<Action> way(static_cast<std::size_t>(turns_), {ActionType::TurnLeft, {}});
     if (!here) way.insert(way.begin(), go);
@@ -214,8 +282,12 @@ void SearchOrder::peeked_into(const std::string& id) {
   if (Place* place = find(id)) place->peeked_into = true;
 }
 
-void SearchOrder::glimpsed(const std::string& id) {
-  if (Place* place = find(id)) place->glimpsed = true;
+void SearchOrder::glimpsed(const Node& node, const Scene& known_scene) {
+  if (!node.movable && !place_of_.contains(node.id)) {
+    add(furniture(node, known_scene));
+    chances_.clear();
+  }
+  if (Place* place = find(node.id)) place->glimpsed = true;
 }
 
 void SearchOrder::give_up(const std::string& id) {

@@ -10,8 +10,10 @@
 
 #include "akb/knowledge.h"
 #include "expert/belief.h"
+#include "expert/room_views.h"
 #include "grounding/household.h"
 #include "scene/action.h"
+#include "simulation/profile.h"
 
 namespace unietp {
 
@@ -34,9 +36,10 @@ std::string names_of(const std::vector<SearchTarget>& targets);
 class SearchOrder {
  public:
   /// `usual`: where things are in a lived-in home; nullptr: as the knowledge base says. All must outlive it. `shut`:
-  /// categories that are not opened. `turn_deg`: by how much a step turns the agent.
+  /// categories that are not opened. Where no furniture is known from the start, it is taken to be in the rooms where
+  /// such furniture usually is.
   SearchOrder(const Scene& known_scene, const Knowledge& knowledge, const Household* usual, std::set<std::string> shut,
-              double turn_deg);
+              const Profile& profile);
 
   /// A place to look: a piece of furniture or a room.
   struct Look {
@@ -44,7 +47,8 @@ class SearchOrder {
     bool opens = false;  // it is opened for that
     int before = 0;      // how often it was looked at: each time from another angle
     bool room = false;
-    bool from_here = false;  // it is opened from where the agent stands
+    bool from_here = false;     // it is opened from where the agent stands
+    RoomViews::Look view = {};  // of a room, where no furniture was known from the start
   };
   /// Whether the agent could open a piece of furniture from where it stands, with it in the picture.
   using InReach = std::function<bool(const std::string& id)>;
@@ -58,8 +62,10 @@ class SearchOrder {
   void peeked_into(const std::string& id);
   /// It was looked at once more.
   void looked_at(const std::string& id, const Belief& belief);
-  /// It was in view.
-  void glimpsed(const std::string& id);
+  /// The agent was there.
+  void stood(const Agent& body) { views_.saw(body); }
+  /// It was in view; furniture that was not known is known from then on.
+  void glimpsed(const Node& node, const Scene& known_scene);
   /// It cannot be gone to.
   void give_up(const std::string& id);
   /// It cannot be opened.
@@ -75,6 +81,7 @@ class SearchOrder {
     std::string room_type = "";
     Vec2 position = Vec2::Zero();
     int looks = 0, looks_inside = 0;
+    std::size_t room = 0;  // its position among the rooms, of a room
     bool glimpsed = false, peeked_into = false, given_up = false, stays_shut = false;
   };
   /// To find a thing on or in a place, before anybody looked.
@@ -82,6 +89,14 @@ class SearchOrder {
     double on = 0, inside = 0;
   };
   Chance chance(const SearchTarget& target, const Place& place) const;
+  /// In a room, on or in furniture that nobody has seen yet, or to find such furniture.
+  Chance chance_unseen(const SearchTarget& target, const Place& room) const;
+  /// How likely furniture of a category is in a type of room.
+  double suits(const std::string& category, const std::string& room_type) const;
+  /// Steps until furniture that is gone to only when it is in the picture is there; 0 where it is named by id.
+  double turns_to_see(const Place& place, const Scene& believed) const;
+  static Place furniture(const Node& node, const Scene& known_scene);
+  void add(Place place);
   /// That chance at each of the places, which is worked out once for a target.
   struct Chances {
     SearchTarget target;
@@ -90,7 +105,7 @@ class SearchOrder {
   const Chances& chances(const SearchTarget& target) const;
   /// With what has been seen: a piece of furniture that is looked for itself.
   Chance chance(const Chances& chances, std::size_t place, const Belief& belief) const;
-  static double left_on(const Place& place, int looks);
+  double left_on(const Place& place, int looks) const;
   /// `shut`: it is closed now; what was seen in it before still counts.
   double left_inside(const Place& place, bool shut, int looks) const;
   static bool is_shut(const Place& place, const Belief& belief);
@@ -99,7 +114,9 @@ class SearchOrder {
   const Knowledge& knowledge_;
   const Household* usual_;
   std::set<std::string> shut_;
-  double turns_;  // steps of a quarter turn
+  RoomViews views_;
+  double turns_;                  // steps of a quarter turn
+  bool knows_furniture_ = false;  // from the start
   std::vector<Place> places_;
   std::map<std::string, std::size_t, std::less<>> place_of_;
   std::map<std::string, int, std::less<>> of_category_;  // how many pieces

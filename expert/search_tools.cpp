@@ -4,9 +4,9 @@
 
 namespace unietp {
 
-Profile profile_of_m2(Profile profile) {
+Profile profile_in(Mode mode, Profile profile) {
   for (const ActionInfo& action : all_actions()) {
-    if (!offers(action, Mode::M2)) profile.actions[static_cast<std::size_t>(action.type)] = false;
+    if (!offers(action, mode)) profile.actions[static_cast<std::size_t>(action.type)] = false;
   }
   return profile;
 }

@@ -9,8 +9,8 @@
 
 namespace unietp {
 
-/// The profile without the actions that M2 does not offer.
-Profile profile_of_m2(Profile profile);
+/// The profile without the actions that a mode does not offer.
+Profile profile_in(Mode mode, Profile profile);
 
 /// The categories that can bring a state about, where no thing is in that state by hand alone: any of them will do.
 std::vector<std::string> tools_for(const WantedState& wanted, const std::string& category, const Knowledge& knowledge,

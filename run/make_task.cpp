@@ -138,7 +138,7 @@ std::optional<Rejection> show(Task& task, ExecutionTree& executions, const std::
   std::vector<Action> by_belief;
   if (std::find(modes.begin(), modes.end(), Mode::M2) != modes.end()) {  // where candidates fail most often
     timer.enter(Stage::OtherModes);
-    auto done = act_by_belief(executions, usual);
+    auto done = act_by_belief(Mode::M2, executions, usual);
     if (auto* why = std::get_if<Rejection>(&done)) return std::move(*why);
     by_belief = std::move(std::get<std::vector<Action>>(done));
   }

@@ -1,5 +1,7 @@
 #include "simulation/moment_tree.h"
 
+#include <algorithm>
+
 #include "simulation/camera.h"
 
 namespace unietp {
@@ -116,6 +118,15 @@ bool MomentTree::shows(MomentId moment, std::string_view id) {
 const std::optional<PixelBox>& MomentTree::unique_box(MomentId moment, std::string_view id) {
   const auto [known, fresh] = moments_[moment.index()].boxes.try_emplace(std::string(id));
   if (!fresh) return known->second;
+  const auto& views = moments_[moment.index()].visible;
+  if (const auto whole = views.find(kEndless_m); whole != views.end()) {  // sorted by id
+    const auto& objects = whole->second;
+    const auto one = std::find_if(objects.begin(), objects.end(), [&](const auto& object) { return object.id == id; });
+    const auto first = std::find_if(objects.begin(), one,
+                                    [&](const auto& other) { return one != objects.end() && other.box == one->box; });
+    if (one != objects.end() && first == one) known->second = one->box;
+    return known->second;
+  }
   const WorldState& state = at(moment);
   const auto node = state.index_of(id);
   if (node) known->second = viewer_.first_with_box(state.viewed(), *node, state.agent(), *state.profile);

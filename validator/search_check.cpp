@@ -59,7 +59,9 @@ std::vector<bool> search_steps(const Formula& goal, const World& start, const Tr
   std::vector<Command> commands;
   for (const Action& action : plan) commands.push_back(by_ids(action));
   std::vector<bool> search;
-  InformedEpisode here{ModeEpisode(start, Mode::M1), {}};
+  ModeRules told = rules_of(Mode::M1);
+  told.limits.steps = static_cast<int>(plan.size()) + 1;
+  InformedEpisode here{ModeEpisode(start, told), {}};
   for (std::size_t i = 0; i < plan.size(); ++i) {
     search.push_back(only_looks(plan[i].type) && goes_without(goal, here, traces, commands, i));
     (void)here.act(commands[i]);
