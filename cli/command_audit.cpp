@@ -47,7 +47,7 @@ Exit run_audit(const AuditOptions& options, const CommandLine& program) {
 
 void add_audit_command(CommandParser& app, CommandLine& program) {
   auto options = std::make_shared<AuditOptions>();  // shared: the callback outlives this function
-  auto* command = app.add_subcommand("audit", "Look for shortcuts: does anything but the task give its answer away?");
+  auto* command = app.add_subcommand("audit", "Look for shortcuts that give answers away");
   command->explain(
       "Plays blind policies against a finished data set. Each names an object, a room or a piece of furniture without "
       "doing the task: the last of the list, the lowest id of its kind, the only one in its state, what a classifier "
