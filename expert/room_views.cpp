@@ -8,6 +8,7 @@ namespace unietp {
 namespace {
 
 constexpr int kPointsAcross = 6;
+constexpr double kOnTheEdge = 1e-9;   // of the picture: in it, however it is rounded
 constexpr double kUnderfoot_m = 0.3;  // what is under the feet is not looked at
 
 /// Points over a room's floor, and its middle where they miss it.
@@ -42,7 +43,7 @@ RoomViews::RoomViews(const Scene& home, const Profile& profile) : turn_(profile.
 bool RoomViews::shows(const Vec2& from, double yaw, const Vec2& point) const {
   const Vec2 way = point - from, ahead(std::cos(yaw), std::sin(yaw));
   if (way.norm() < kUnderfoot_m) return false;
-  return ahead.dot(way) >= std::cos(half_view_) * way.norm();
+  return ahead.dot(way) >= (std::cos(half_view_) - kOnTheEdge) * way.norm();
 }
 
 void RoomViews::saw(const Agent& body) {

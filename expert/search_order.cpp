@@ -23,6 +23,7 @@ constexpr double kOnFloor = 1e-3;    // of a room
 constexpr double kLiesAbout = 0.1;   // times how usual it is that such a thing is on the floor
 constexpr double kOnUnseen = 0.5;    // chance of a room whose furniture is not known, where such things usually are
 constexpr double kAnother = 0.3;     // of the chance that there is such furniture, where some is known
+constexpr double kLeaving = 2.5;     // steps that leaving a room counts for, since it will hardly be all looked at
 constexpr double kInPicture = 0.5;   // quarter turns to the edge of the picture
 constexpr double kLeast = 1e-9;
 constexpr double kBeside_m = 3;
@@ -202,8 +203,9 @@ std::optional<SearchOrder::Look> SearchOrder::next(const std::vector<SearchTarge
     if (place.category.empty() && !knows_furniture_) {
       const auto view = views_.best(place.room, agent);
       if (!view) continue;
+      const bool leaves = view->goes && room_at(belief.scene(), agent.position) != &belief.scene().rooms[place.room];
       const double far = view->goes ? kPerMetre * (place.position - agent.position).norm() : 0;
-      offer(place, all.on * view->shows, view->steps() + far, false);
+      offer(place, all.on * view->shows, view->steps() + far + (leaves ? kLeaving : 0), false);
       if (best && best->id == place.id) best->view = *view;
       continue;
     }

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "expert/exploration.h"
+#include "expert/explorer.h"
 #include "expert/mode_expert.h"
 #include "expert/rollout.h"
 #include "logic/evaluate.h"
@@ -172,7 +173,7 @@ TEST(Exploration, LooksAgainWhereTheBoxOfAThingIsThatOfAnother) {
   }
 }
 
-TEST(Exploration, LooksFromWhatIsNearbyWhereLongStepsLeadToFewPlaces) {
+TEST(Explore, LooksFromWhatIsNearbyWhereLongStepsLeadToFewPlaces) {
   const Knowledge knowledge = house_knowledge();
   Profile profile = house_profile();
   profile.step_m = 1;
@@ -183,10 +184,14 @@ TEST(Exploration, LooksFromWhatIsNearbyWhereLongStepsLeadToFewPlaces) {
     if (scene.nodes[i].category == "Potato") scene.nodes.edit(i).size *= 0.5;
   }
   const Scene start = at_rest(std::move(scene));
-  const ModeEpisode episode(*World::create(start, knowledge, profile), Mode::M3);
-  for (const Node& node : start.nodes) {
-    if (node.category == "Potato") EXPECT_TRUE(way_to_see(episode, node.id)) << node.id;
-  }
+  const Formula each = goal("(forall (?x - Potato) (sometime (held ?x)))");
+  const auto first = std::get<Demonstration>(demonstrate(each, start, knowledge, profile, {}));
+  std::vector<Action> plan;
+  for (const DemonstrationStep& step : first.steps) plan.push_back(step.action);
+  auto executions = *ExecutionTree::of(each, start, knowledge, profile);
+  const auto done = explore(rules_of(Mode::M3), executions, plan, {.max_steps = 150, .mode = Mode::M3});
+  ASSERT_TRUE(std::holds_alternative<std::vector<Action>>(done)) << std::get<Trouble>(done).text;
+  EXPECT_GT(std::get<std::vector<Action>>(done).size(), plan.size());
 }
 
 TEST(RuledOut, AGoalThatNeedsReadingIsRefusedInM3FromItsTextAlone) {
