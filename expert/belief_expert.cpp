@@ -11,6 +11,7 @@
 #include "expert/known_world.h"
 #include "expert/search_order.h"
 #include "expert/search_tools.h"
+#include "expert/tidying.h"
 
 namespace unietp {
 namespace {
@@ -19,6 +20,7 @@ constexpr double kEnough = 0.05;        // of the chances to find more of what t
 constexpr int kMostThoroughSteps = 20;  // spent on that before something is done
 constexpr int kMostCheckingSteps = 30;  // of all, when more is looked for at the end
 constexpr int kStepsForTheRest = 4;     // at least, after what is needed was found
+constexpr int kStepsToBeTidy = 25;      // left, else nothing is closed while something is looked for
 constexpr std::size_t kLongestRun = 3;
 
 /// Looks, plans and acts behind a window.
@@ -233,7 +235,8 @@ class BeliefExpert {
     }
     const auto plan = without_needless(tree, rules, std::move(done), kLongestRun, done_.size());
     if (!plan) return std::nullopt;
-    return std::vector(plan->begin() + static_cast<std::ptrdiff_t>(done_.size()), plan->end());
+    const auto careful = tidied(tree, rules, *plan, done_.size(), opened_);
+    return std::vector(careful.begin() + static_cast<std::ptrdiff_t>(done_.size()), careful.end());
   }
 
   /// One step of the plan; true when it was the last.
@@ -243,7 +246,11 @@ class BeliefExpert {
       return false;
     }
     if (std::exchange(strayed_, false)) (void)make_plan();  // else on with what was planned for another spot
-    if (plan_[next_].type == ActionType::Stop && look_for_more()) return false;
+    if (plan_[next_].type == ActionType::Stop) {
+      if (look_for_more()) return false;
+      if (!close_behind()) give_up("in search: " + trouble_.text, trouble_.failure);
+      if (gave_up_) return false;
+    }
     Action action = plan_[next_];
     if (acts_on_presumed(action)) {
       action = {ActionType::TurnTo, action.args};
@@ -390,8 +397,19 @@ class BeliefExpert {
     if (!look_there(*look)) give_up("in search: " + trouble_.text, trouble_.failure);
   }
 
+  /// Closes what was opened last if it showed nothing of use and is not what comes next; false when that failed.
+  bool close_behind(const std::string& next = {}) {
+    if (empty_.empty() || empty_ == next) return true;
+    const Action close{ActionType::Close, {std::exchange(empty_, {})}};
+    if (steps_left() <= kStepsToBeTidy || !known_world_.allows(close)) return true;
+    if (!act(close)) return false;
+    std::erase(opened_, close.args.front());
+    return true;
+  }
+
   /// False when something failed.
   bool look_there(const SearchOrder::Look& look) {
+    if (!close_behind(look.id)) return false;
     const auto way = order_.way_to(look, at_);
     for (const Action& action : way) {
       if (!known_world_.allows(action)) break;
@@ -402,7 +420,10 @@ class BeliefExpert {
     const bool opens = look.opens && (way.empty() || look.before > 0 || !found_enough());
     if (opens && !belief_.find(look.id)->states.has(Predicate::Open)) {
       if (runs(look.id) && !act({ActionType::TurnOff, {look.id}})) return false;
+      const int before = belief_.news();
       if (!act({ActionType::Open, {look.id}})) return false;
+      opened_.push_back(look.id);
+      if (belief_.news() == before) empty_ = look.id;
     }
     look.from_here ? order_.peeked_into(look.id) : order_.looked_at(look.id, belief_);
     return true;
@@ -427,7 +448,9 @@ class BeliefExpert {
   std::set<std::string, std::less<>> touched_;     // what that changed
   std::set<std::string, std::less<>> looked_for_;  // furniture that was turned to before it was used
 
-  std::string at_;  // the place that it looked at last
+  std::string at_;                   // the place that it looked at last
+  std::vector<std::string> opened_;  // for a look, and not closed since
+  std::string empty_;                // of these the last, if it showed nothing of use
   int steps_ = 0;
   bool acted_ = false, gave_up_ = false;
   bool surprised_ = false, strayed_ = false;  // by the last step: something came into view; it led elsewhere

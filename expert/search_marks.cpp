@@ -13,7 +13,7 @@ bool may_be_search(ActionType type) {
 void mark_search(ExecutionTree& executions, Demonstration& demonstration) {
   Rollout here(executions, rules_of(Mode::M1));
   for (auto step = demonstration.steps.begin(); step != demonstration.steps.end(); ++step) {
-    if (may_be_search(step->action.type)) {
+    if (!step->tidying && may_be_search(step->action.type)) {
       Rollout without = here;
       for (auto later = std::next(step); later != demonstration.steps.end(); ++later)
         (void)without.go_on(later->action);

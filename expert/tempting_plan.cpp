@@ -5,6 +5,7 @@
 #include "expert/execution.h"
 #include "expert/rollout.h"
 #include "expert/situation.h"
+#include "expert/tidying.h"
 #include "logic/constraints.h"
 
 namespace unietp {
@@ -45,7 +46,8 @@ std::vector<Action> tempting_plan(const ExecutionTree& executions, const Demonst
   if (!constrains_the_way(goal)) return {};
   const Formula asked = without_constraints(goal);
   ExpertOptions no_longer;
-  no_longer.max_steps = static_cast<int>(shown.steps.size());
+  const std::vector<Action> done = actions_for_the_goal(shown);
+  no_longer.max_steps = static_cast<int>(done.size());
   std::vector<Formula> hasty = with_an_order_reversed(goal);
   hasty.push_back(asked);
   for (const Formula& one : hasty) {
@@ -53,12 +55,10 @@ std::vector<Action> tempting_plan(const ExecutionTree& executions, const Demonst
   }
   if (!has_operator(goal, {Formula::Op::Always})) return {};
   const Formula all = without_references(asked);
-  std::vector<Action> done;
-  for (const DemonstrationStep& step : shown.steps) done.push_back(step.action);
   ExecutionTree of_all = executions.with_goal(all);
   if (reaches(of_all, done)) return {};  // nothing is left out
   auto plan = plan_for(all, all, executions, {});
-  return plan.size() > shown.steps.size() ? plan : std::vector<Action>();  // a shorter one has to reach what was asked
+  return plan.size() > done.size() ? plan : std::vector<Action>();  // a shorter one has to reach what was asked
 }
 
 std::optional<Rejection> add_tempting_plan(Demonstration& demonstration, const ExecutionTree& executions) {

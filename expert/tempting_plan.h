@@ -11,10 +11,10 @@ namespace unietp {
 
 /// A plan of somebody who forgets the order that a goal asks for, or what has to stay: the expert's for the goal
 /// without its constraints (logic/constraints.h) or with one of its orders reversed, of at most as many steps as the
-/// demonstration in M1, `stop` included. Where the goal is about all things but some, which have to stay, it does to
-/// all what the goal does to the others, and is longer. It needs each step for that, and does not reach the goal. Empty
-/// when there is none: then the constraints forbid nothing that anybody would do, or only constrain the end.
-/// Deterministic.
+/// demonstration in M1, `stop` included, without those that only tidy up. Where the goal is about all things but some,
+/// which have to stay, it does to all what the goal does to the others, and is longer. It needs each step for that, and
+/// does not reach the goal. Empty when there is none: then the constraints forbid nothing that anybody would do, or
+/// only constrain the end. Deterministic.
 std::vector<Action> tempting_plan(const ExecutionTree& executions, const Demonstration& shown);
 
 /// Stage: gives a demonstration in M1 that plan. Rejected as `not-tempting` if the goal constrains the way to it and

@@ -70,10 +70,10 @@ class PlanChanger {
         traces_(traces),
         where_(std::move(where)) {}
 
-  void leave_out_each(const std::vector<Action>& plan, const std::vector<bool>& search) {
+  void leave_out_each(const std::vector<Action>& plan, const StepMarks& marks) {
     Rollout here = start_;
     for (std::size_t i = 0; i < plan.size(); ++i) {
-      if (i < search.size() && search[i]) {
+      if (marks.search[i] || marks.tidying[i]) {
         here.act(plan[i]);
         continue;
       }
@@ -229,11 +229,14 @@ std::string_view name_of(PlanChange change) {
 }
 
 MustFail must_fail(const Formula& goal, const World& start, Mode mode, const TraceMaker& traces,
-                   const std::vector<Action>& plan, const std::vector<bool>& search, const std::string& where) {
+                   const std::vector<Action>& plan, const StepMarks& marks, const std::string& where) {
   PlanChanger changer(goal, start, mode, traces, where);
-  changer.leave_out_each(plan, search);
-  changer.change_order(plan);
-  changer.use_distractors(plan);
+  changer.leave_out_each(plan, marks);
+  std::vector<Action> for_the_goal;
+  for (std::size_t i = 0; i < plan.size(); ++i)
+    if (!marks.tidying[i]) for_the_goal.push_back(plan[i]);
+  changer.change_order(for_the_goal);
+  changer.use_distractors(for_the_goal);
   return changer.take();
 }
 

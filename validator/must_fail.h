@@ -10,6 +10,7 @@
 #include "simulation/mode_rules.h"
 #include "simulation/world.h"
 #include "validator/problem.h"
+#include "validator/search_check.h"
 #include "validator/trace_maker.h"
 
 namespace unietp {
@@ -39,8 +40,9 @@ struct MustFail {
 /// order, and with an excluded object in place of each referent. Actions whose object cannot be named at that point are
 /// skipped. A changed plan that reaches the goal is a problem; of the orders, one that fails is enough, since not every
 /// order matters, and no further one is tried. `plan`: the actions of the demonstration, with objects by their ids,
-/// without `stop`; `search`: which of them only served to see something, and so may be missing.
+/// without `stop`; `marks`: which of them only served to see something or to tidy up, and so may be missing; the
+/// changes of order and objects are made to the plan without those that tidy up.
 MustFail must_fail(const Formula& goal, const World& start, Mode mode, const TraceMaker& traces,
-                   const std::vector<Action>& plan, const std::vector<bool>& search, const std::string& where);
+                   const std::vector<Action>& plan, const StepMarks& marks, const std::string& where);
 
 }  // namespace unietp

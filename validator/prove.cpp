@@ -167,11 +167,11 @@ class TaskProver {
     }
     if (!holds(*goal_, trace))
       found(ProblemKind::GoalNotReached, where_shown(mode), "its replay does not reach the goal " + task_.goal_text);
-    const auto search = mode == Mode::M1 ? std::vector<bool>() : search_steps(*goal_, world, traces, done.plan);
-    found(check_marks(demonstration, search, where_shown(mode)));
+    const StepMarks marks = marks_of(*goal_, world, mode, traces, done.plan);
+    found(check_marks(demonstration, marks, where_shown(mode)));
     found(check_shortest(*goal_, world, traces, task_, mode, demonstration, where_shown(mode)));
     found(check_tempting(*goal_, world, traces, mode, demonstration, trace, where_shown(mode)));
-    auto altered = must_fail(*goal_, world, mode, traces, done.plan, search, where_shown(mode));
+    auto altered = must_fail(*goal_, world, mode, traces, done.plan, marks, where_shown(mode));
     proof_.counts.altered_plans += static_cast<int>(altered.plans.size());
     found(std::move(altered.problems));
     if (mode == Mode::M1 && without_constraints(*goal_) != *goal_) {
