@@ -111,8 +111,7 @@ std::vector<Problem> check_marks(const DemonstrationRecord& demonstration, const
                                  const std::string& where) {
   for (std::size_t i = 0; i < demonstration.steps.size(); ++i) {
     const StepRecord& step = demonstration.steps[i];
-    const bool search = i < marks.search.size() && marks.search[i];
-    const bool tidying = i < marks.tidying.size() && marks.tidying[i];
+    const bool search = marks.is_search(i), tidying = marks.is_tidying(i);
     const auto found = [&](ProblemKind kind, const char* fault) {
       return std::vector{
           problem_in(kind, where, "step " + std::to_string(i + 1) + " " + to_text(step.command) + " " + fault)};
@@ -157,18 +156,20 @@ std::vector<Problem> check_tempting(const Formula& goal, const World& start, con
     return std::vector{problem_in(ProblemKind::TemptingPlan, where, "its tempting plan " + std::move(message))};
   };
   const std::vector<Command>& plan = demonstration.tempting;
-  const bool wanted = mode == Mode::M1 && constrains_the_way(goal);
-  if (plan.empty()) return wanted ? found("is missing") : std::vector<Problem>();
-  if (!wanted) return found("is beside a goal that has no constraint, or not in M1");
-  Formula asked = without_constraints(goal);
-  if (static_cast<int>(plan.size()) > steps_for_the_goal(demonstration)) {
-    asked = without_references(asked);
-    if (holds(asked, shown)) return found("is longer than the demonstration");
+  const auto readings = mode == Mode::M1 ? hasty_readings(goal) : std::vector<HastyReading>();
+  if (plan.empty()) return readings.empty() ? std::vector<Problem>() : found("is missing");
+  if (readings.empty()) return found("is beside a goal that has no constraint, or not in M1");
+  const bool longer = static_cast<int>(plan.size()) > steps_for_the_goal(demonstration);
+  std::string fault = "is longer than the demonstration";
+  for (const HastyReading& reading : readings) {
+    if (longer && (!reading.takes_more || holds(reading.goal, shown))) continue;
+    InformedEpisode here{ModeEpisode(start, Mode::M1), {}};
+    const auto wrong = fault_of(reading.goal, here, traces, mode, plan);
+    if (!wrong && plan.size() > 1)
+      return holds(goal, traces.of(here.changes)) ? found("breaks no constraint") : std::vector<Problem>();
+    fault = wrong ? *wrong : "does nothing";
   }
-  InformedEpisode here{ModeEpisode(start, Mode::M1), {}};
-  if (const auto fault = fault_of(asked, here, traces, mode, plan)) return found(*fault);
-  if (holds(goal, traces.of(here.changes))) return found("breaks no constraint");
-  return {};
+  return found(fault);
 }
 
 }  // namespace unietp

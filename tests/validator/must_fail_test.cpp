@@ -74,6 +74,22 @@ TEST_P(AlteredPlans, GiveAwayAStepThatIsNotNeeded) {
   EXPECT_THAT(found.problems.back().error.message, HasSubstr("turn_left"));
 }
 
+TEST_P(AlteredPlans, HaveTheTemptingPlanWhereItCanBeSaid) {
+  const World world = *World::create(start_, knowledge_, profile_);
+  const TraceMaker traces(start_, false, false);
+  std::vector<Command> commands;
+  for (const Action& action : plan_for(kCooled)) commands.push_back(by_ids(action));
+  const auto run = run_tempting(goal(kCooled), world, Mode::M1, traces, commands);
+  if (GetParam() == Mode::M1) {
+    ASSERT_TRUE(run);
+    EXPECT_EQ(run->change, PlanChange::Tempting);
+    EXPECT_TRUE(run->reaches_goal);
+    EXPECT_EQ(run->commands.size(), commands.size());
+  }
+  commands.push_back({"pick_up", {{"nothing_1", {}}}});
+  EXPECT_FALSE(run_tempting(goal(kCooled), world, GetParam(), traces, commands));
+}
+
 /// In M2 and M3 what a plan names in another order was not seen or is not in view then, so that it fails all the same.
 class AlteredOrders : public AlteredPlans {};
 
