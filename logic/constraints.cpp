@@ -42,10 +42,11 @@ bool has_always(const Formula& formula) {
   return formula.op == Op::Always || std::any_of(formula.children.begin(), formula.children.end(), has_always);
 }
 
-/// "Exactly n", with n not 0; what is compared with another number is none.
+/// "Exactly n", with n not 0. What is compared with another number is none, nor what a phrase tells from others: of the
+/// red ones there are seldom more than are asked for.
 bool is_exactly_some(const Formula& formula) {
   return formula.op == Op::Count && formula.comparison == Comparison::Equal && formula.number > 0 &&
-         formula.children.size() == 1;
+         formula.children.size() == 1 && formula.domain.where.empty();
 }
 
 /// "At most n", with some allowed.
@@ -143,9 +144,10 @@ std::vector<Formula> with_an_order_reversed(const Formula& goal) {
 
 std::vector<Formula> with_one_too_many(const Formula& goal) {
   return with_one_changed(goal, [](const Formula& part) -> std::optional<Formula> {
-    if (!is_exactly_some(part)) return std::nullopt;
+    if (!is_exactly_some(part) && !limits_from_above(part)) return std::nullopt;
     Formula more = part;
-    ++more.number;
+    if (part.comparison != Comparison::Less) ++more.number;
+    if (part.comparison != Comparison::Equal) more.comparison = Comparison::AtLeast;
     return more;
   });
 }

@@ -18,8 +18,9 @@ Formula without_references(Formula goal);
 /// order of text. What reaches it reaches the goal without its constraints, the second part first.
 std::vector<Formula> with_an_order_reversed(const Formula& goal);
 
-/// The goal without its constraints, but with one more than one of its "exactly n" says: one formula for each, in order
-/// of text. What reaches it reaches the goal without its constraints, and not the goal.
+/// The goal without its constraints, but with one more than one of its "exactly n" says, or more than one of its "at
+/// most n" allows: one formula for each, in order of text. What reaches it reaches the goal without its constraints,
+/// and not the goal.
 std::vector<Formula> with_one_too_many(const Formula& goal);
 
 /// What somebody takes a goal for who forgets a constraint.

@@ -73,13 +73,26 @@ TEST(WithOneTooMany, OneMoreThanExactlySoMany) {
   const auto more = with_one_too_many(goal(kExactly));
   ASSERT_EQ(more.size(), 1U);
   EXPECT_EQ(to_text(more.front()), "(exists (?t - Table) (at-end (count = 3 (?a - Mug) (on ?a ?t))))");
-  EXPECT_THAT(with_one_too_many(goal(kAtMost)), IsEmpty());
+  const auto left = with_one_too_many(goal(kAtMost));
+  ASSERT_EQ(left.size(), 1U);
+  EXPECT_EQ(to_text(left.front()),
+            "(exists (?t - Table) (exists (?b - Bed) (at-end (and (count >= 2 (?a - Mug) (on ?a ?b))"
+            " (count >= 2 (?a - Mug) (on ?a ?t))))))");
+  const auto fewer = with_one_too_many(goal("(exists (?t - Table) (at-end (count < 2 (?a - Mug) (on ?a ?t))))"));
+  ASSERT_EQ(fewer.size(), 1U);
+  EXPECT_EQ(to_text(fewer.front()), "(exists (?t - Table) (at-end (count >= 2 (?a - Mug) (on ?a ?t))))");
+}
+
+TEST(HastyReadings, AreNotOfCountsOfWhatAPhraseTellsFromOthers) {
+  EXPECT_THAT(
+      hasty_readings(goal("(exists (?t - Table) (at-end (count = 2 (?a - (Mug :where (dirty ?a))) (on ?a ?t))))")),
+      IsEmpty());
 }
 
 TEST(HastyReadings, AreOfOrdersOfWhatStaysAndOfCounts) {
   EXPECT_EQ(hasty_readings(goal(kOrdered)).size(), 1U);
   EXPECT_EQ(hasty_readings(goal(kAllBefore)).size(), 1U);
-  EXPECT_EQ(hasty_readings(goal(kAtMost)).size(), 1U);
+  EXPECT_EQ(hasty_readings(goal(kAtMost)).size(), 2U);
   const auto exactly = hasty_readings(goal(kExactly));
   ASSERT_EQ(exactly.size(), 2U);
   EXPECT_FALSE(exactly[0].takes_more);
