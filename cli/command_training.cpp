@@ -64,7 +64,8 @@ void add_training_command(CommandParser& app, CommandLine& program) {
   auto* command = app.add_subcommand("training", "Make training data: 9,000 tasks in homes the benchmark does not use");
   command->explain(
       "Each task is demonstrated in modes M1 and M2. The same options and seed give the same bytes for any number of "
-      "threads and shards. Exit code 1: some tasks could not be made.",
+      "threads and shards. Exit code 1: some tasks could not be made. No demonstration has a mistake in it; "
+      "`unietp export --format sft --mistakes RATE` puts some in, with their feedback and the recovery.",
       {{"unietp training --out out/training", ""},
        {"unietp training --count 500 --seed 7 --out out/small", ""},
        {"unietp training --without-simulator ai2thor --out out/three",

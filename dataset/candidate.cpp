@@ -12,8 +12,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 StepEntry step_entry(const DemonstrationStep& step) {
-  return {step.command, step.outcome.success, name_of(step.outcome.failure), step.outcome.feedback, step.visible,
-          step.changes, step.search};
+  return {step.command,          step.outcome.success, name_of(step.outcome.failure),
+          step.outcome.feedback, step.visible,         step.changes,
+          step.search,           step.tidying};
 }
 
 /// Key of what is done in which start: equal starts of a home have equal texts of their changes.
@@ -72,7 +73,7 @@ WrittenTask written_task(const Task& task, const std::string& changes) {
       count.failures += step.outcome.success ? 0 : 1;
     }
     PlansBeside beside{said(demonstration.shortest), said(demonstration.tempting)};
-    count.shortest = static_cast<int>(beside.shortest.size());
+    count.shortest = shortest_steps(demonstration);
     entry.expert.push_back(count);
     written.shown.push_back(demonstration_line(task.id, demonstration.mode, steps, beside));
   };

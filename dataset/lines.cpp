@@ -86,6 +86,10 @@ void write_step(JsonText& json, const StepEntry& step) {
   json.value(step.feedback);
   json.key("search");
   json.value(step.search);
+  if (step.tidying) {
+    json.key("tidying");
+    json.value(true);
+  }
   json.key("visible");
   json.open_list();
   for (const auto& object : step.visible) {
@@ -123,7 +127,7 @@ std::string line_of(const TaskEntry& task) {
   Json expert = Json::object();
   for (const auto& count : task.expert) {
     Json& shown = expert[std::string(name_of(count.mode))] = {{"steps", count.steps}, {"failures", count.failures}};
-    if (count.mode != Mode::M1) shown["shortest_steps"] = count.shortest;
+    if (count.mode != Mode::M1 || count.shortest != 0) shown["shortest_steps"] = count.shortest;
   }
   ObjectText object("unietp-task/1");
   object.field("id", task.id);

@@ -39,7 +39,7 @@ struct TaskEntry {
   struct Count {
     Mode mode = Mode::M1;
     int steps = 0, failures = 0;
-    int shortest = 0;  // steps of the shortest plan kept beside it; 0 in M1, which has none
+    int shortest = 0;  // steps without search and tidying; written in M1 only where it is not 0
     bool operator==(const Count&) const = default;
   };
   std::vector<Count> expert;  // of its demonstrations
@@ -57,6 +57,7 @@ struct StepEntry {
   const std::vector<VisibleObject>& visible;
   const Delta& changes;
   bool search = false;
+  bool tidying = false;  // written where it is true
 };
 /// Plans beside a demonstration, with objects by their ids.
 struct PlansBeside {

@@ -10,6 +10,7 @@
 #include "expert/known_world.h"
 #include "expert/search_order.h"
 #include "expert/search_tools.h"
+#include "expert/tidying.h"
 #include "simulation/relations.h"
 
 namespace unietp {
@@ -20,6 +21,7 @@ constexpr double kEnough = 0.05;  // of the chances to find more of what the goa
 // end.
 constexpr double kThorough = 0.4, kChecking = 0.6;
 constexpr int kStepsForTheRest = 4;                   // at least, after what is needed was found
+constexpr int kStepsToBeTidy = 25;                    // left, else nothing is closed while something is looked for
 constexpr std::size_t kMostGlances = 4000;            // that are thought of to bring one thing into the picture
 constexpr int kMostApproaches = 4, kMostReplans = 3;  // when a thing cannot be brought into it
 
@@ -163,7 +165,7 @@ class BeliefExpert {
 
   bool make_plan(bool anew = false) {
     planned_at_ = belief_.news();
-    if (planner_.make(belief_, known_world_.home(), steps_left(), anew)) return true;
+    if (planner_.make(belief_, known_world_.home(), steps_left(), opened_, anew)) return true;
     trouble_ = planner_.trouble();
     return false;
   }
@@ -176,7 +178,11 @@ class BeliefExpert {
     }
     if (std::exchange(strayed_, false) && !points()) (void)make_plan();  // else on with what was planned elsewhere
     Action action = planner_.rest().front();
-    if (action.type == ActionType::Stop && look_for_more()) return false;
+    if (action.type == ActionType::Stop) {
+      if (look_for_more()) return false;
+      if (!close_behind()) give_up("in search: " + trouble_.text, trouble_.failure);
+      if (gave_up_) return false;
+    }
     const bool looks_first = acts_on_presumed(action);
     if (looks_first) action = {ActionType::TurnTo, action.args};
     if (action.type == ActionType::Stop) return window_.act(action).success;
@@ -409,8 +415,20 @@ class BeliefExpert {
     if (!look_there(*look)) give_up("in search: " + trouble_.text, trouble_.failure);
   }
 
+  /// Closes what was opened last if it showed nothing of use and is not what comes next; false when that failed.
+  bool close_behind(const std::string& next = {}) {
+    if (empty_.empty() || empty_ == next) return true;
+    const Action close{ActionType::Close, {std::exchange(empty_, {})}};
+    if (steps_left() <= kStepsToBeTidy) return true;
+    if (points() ? !come_to(close) : !known_world_.allows(close)) return !gave_up_;
+    if (!act(close)) return false;
+    std::erase(opened_, close.args.front());
+    return true;
+  }
+
   /// False when something failed.
   bool look_there(const SearchOrder::Look& look) {
+    if (!close_behind(look.id)) return false;
     const auto way = order_.way_to(look, at_);
     for (const Action& action : way) {
       if (points() && !come_to(action)) {
@@ -431,7 +449,10 @@ class BeliefExpert {
         return !gave_up_;
       }
       if (runs(look.id) && !act(stop)) return false;
+      const int before = belief_.news();
       if (!act(open)) return false;
+      opened_.push_back(look.id);
+      if (belief_.news() == before) empty_ = look.id;
     }
     look.from_here ? order_.peeked_into(look.id) : order_.looked_at(look.id, belief_);
     return true;
@@ -450,7 +471,9 @@ class BeliefExpert {
   std::set<std::string, std::less<>> in_picture_;  // M3: what can be pointed at
   std::set<std::string, std::less<>> looked_for_;  // furniture that was turned to before it was used
 
-  std::string at_;  // the place that it looked at last
+  std::string at_;                   // the place that it looked at last
+  std::vector<std::string> opened_;  // for a look, and not closed since
+  std::string empty_;                // of these the last, if it showed nothing of use
   int steps_ = 0;
   bool acted_ = false, gave_up_ = false;
   bool surprised_ = false, strayed_ = false;  // by the last step: something came into view; it led elsewhere

@@ -5,6 +5,7 @@
 
 #include "expert/execution.h"
 #include "expert/search_marks.h"
+#include "expert/tidying.h"
 
 namespace unietp {
 namespace {
@@ -46,7 +47,8 @@ bool BeliefPlanner::replay(Rollout& again) {
   return true;
 }
 
-bool BeliefPlanner::make(const Belief& belief, KnownHome& home, int steps_left, bool anew) {
+bool BeliefPlanner::make(const Belief& belief, KnownHome& home, int steps_left, const std::vector<std::string>& opened,
+                         bool anew) {
   auto scene = std::make_unique<Scene>(believed_before(belief));
   KnownStart known = home.of(*scene);
   auto made = ExecutionTree::of(problem_.goal, *scene, problem_.knowledge, problem_.profile, std::move(known));
@@ -61,7 +63,7 @@ bool BeliefPlanner::make(const Belief& belief, KnownHome& home, int steps_left, 
   }
   const std::vector<Action> done = again.done();
   std::optional<std::vector<Action>> plan = done_.empty() || anew ? std::nullopt : the_rest(again);
-  if (!plan) plan = another_plan(*tree, rules, done);
+  if (!plan) plan = another_plan(*tree, rules, done, opened);
   if (!plan) return false;
   if (plan->size() == 1 && done_.empty()) {
     trouble_ = {"all that was seen is as it should be", Failure::NotSeenYet};
@@ -86,7 +88,8 @@ std::optional<std::vector<Action>> BeliefPlanner::the_rest(Rollout rollout) cons
 }
 
 std::optional<std::vector<Action>> BeliefPlanner::another_plan(ExecutionTree& tree, const ModeRules& rules,
-                                                               const std::vector<Action>& done) {
+                                                               const std::vector<Action>& done,
+                                                               const std::vector<std::string>& opened) {
   const ExpertOptions options{.max_steps = rules.limits.steps, .mode = problem_.mode};
   auto found = find_plan_from(tree, {done, avoided_, false}, options);
   if (auto* why = std::get_if<Rejection>(&found)) {
@@ -109,7 +112,8 @@ std::optional<std::vector<Action>> BeliefPlanner::another_plan(ExecutionTree& tr
   }
   const auto plan = without_needless(tree, rules, std::move(all), kLongestRun, done.size());
   if (!plan) return std::nullopt;
-  return std::vector(plan->begin() + static_cast<std::ptrdiff_t>(done.size()), plan->end());
+  const auto careful = tidied(tree, rules, *plan, done.size(), opened);
+  return std::vector(careful.begin() + static_cast<std::ptrdiff_t>(done.size()), careful.end());
 }
 
 void BeliefPlanner::did(const Action& action, const Delta& changes) {

@@ -24,9 +24,10 @@ class BeliefPlanner {
   /// Must outlive it.
   explicit BeliefPlanner(const SearchProblem& problem) : problem_(problem) {}
 
-  /// How to go on: the rest of the present plan if it still works, unless `anew`, else another. False, and what there
-  /// was stays, when none is found.
-  bool make(const Belief& belief, KnownHome& home, int steps_left, bool anew = false);
+  /// How to go on: the rest of the present plan if it still works, unless `anew`, else another, which closes what it
+  /// opens and what was `opened` before (tidied). False, and what there was stays, when none is found.
+  bool make(const Belief& belief, KnownHome& home, int steps_left, const std::vector<std::string>& opened,
+            bool anew = false);
   /// Use other things than this where others will do.
   void avoid(std::string id) { avoided_.push_back(std::move(id)); }
   /// Another plan is needed.
@@ -52,7 +53,8 @@ class BeliefPlanner {
   bool replay(Rollout& again);
   std::optional<std::vector<Action>> the_rest(Rollout rollout) const;
   std::optional<std::vector<Action>> another_plan(ExecutionTree& tree, const ModeRules& rules,
-                                                  const std::vector<Action>& done);
+                                                  const std::vector<Action>& done,
+                                                  const std::vector<std::string>& opened);
 
   const SearchProblem& problem_;
   std::vector<Action> plan_;

@@ -17,7 +17,8 @@ struct DemonstrationStep {
   Command command;                     // how an agent of the mode says it
   Outcome outcome;
   Delta changes;
-  bool search = false;  // only served to see something (search_marks.h)
+  bool search = false;   // only served to see something (search_marks.h)
+  bool tidying = false;  // only closes what was opened before (tidying.h)
 };
 
 /// An executed plan under the rules of a mode.
@@ -29,6 +30,20 @@ struct Demonstration {
   /// M1, where the goal has constraints: a plan that breaks them (tempting_plan.h); ends with `stop`.
   std::vector<Action> tempting = {};
 };
+
+/// The actions of a demonstration but for those that only tidy up.
+inline std::vector<Action> actions_for_the_goal(const Demonstration& demonstration) {
+  std::vector<Action> actions;
+  for (const DemonstrationStep& step : demonstration.steps)
+    if (!step.tidying) actions.push_back(step.action);
+  return actions;
+}
+/// Length of the shortest plan; in M1 0 where it is the demonstration itself.
+inline int shortest_steps(const Demonstration& demonstration) {
+  if (demonstration.mode != Mode::M1) return static_cast<int>(demonstration.shortest.size());
+  const std::size_t needed = actions_for_the_goal(demonstration).size();
+  return needed == demonstration.steps.size() ? 0 : static_cast<int>(needed);
+}
 
 /// Limits of the search for a plan.
 struct ExpertOptions {

@@ -10,6 +10,7 @@
 #include "expert/least_steps.h"
 #include "expert/methods.h"
 #include "expert/ordering.h"
+#include "expert/tidying.h"
 #include "logic/monitor.h"
 
 namespace unietp {
@@ -184,7 +185,10 @@ std::variant<std::vector<Action>, Rejection> find_plan(ExecutionTree& executions
 std::variant<Demonstration, Rejection> demonstrate(ExecutionTree& executions, const ExpertOptions& options) {
   auto plan = find_plan(executions, options);
   if (auto* why = std::get_if<Rejection>(&plan)) return std::move(*why);
-  return record(executions, Mode::M1, std::get<std::vector<Action>>(plan));
+  Demonstration demonstration = record(
+      executions, Mode::M1, tidied(executions, rules_of(Mode::M1), std::get<std::vector<Action>>(std::move(plan))));
+  mark_tidying(executions, demonstration);
+  return demonstration;
 }
 
 std::variant<Demonstration, Rejection> demonstrate(const Formula& goal, const Scene& start, const Knowledge& knowledge,

@@ -24,7 +24,7 @@ std::variant<Demonstration, Rejection> demonstrate(const Formula& goal, const Sc
 /// Must-fail mutations, each under the rules of the demonstration's mode: every step dropped in turn, what was put down
 /// carried to the end instead, the parts of an order swapped, a distractor in place of a referent. Gives those (as
 /// text) after which the goal still holds: none when the goal really tests the plan. A step whose absence makes no
-/// difference to the goal (such as closing a door that the goal does not mention) is among them.
+/// difference to the goal is among them, but for search and tidying.
 std::vector<std::string> needless_steps(ExecutionTree& executions, const Demonstration& demonstration);
 std::vector<std::string> needless_steps(const Formula& goal, const Scene& start, const Demonstration& demonstration,
                                         const Knowledge& knowledge, const Profile& profile);

@@ -51,8 +51,8 @@ KnownWorld::Obstacle KnownWorld::obstacle_to(const SearchOrder::Look& look, cons
   if (!trial.step({ActionType::GoTo, {look.id}}).success) return Obstacle::NoWay;
   if (look.opens) {
     const Action open{ActionType::Open, {look.id}};
-    const bool opened = trial.step(open).success ||
-                        (trial.step({ActionType::TurnOff, {look.id}}).success && trial.step(open).success);
+    const bool opened =
+        trial.step(open).success || (trial.step({ActionType::TurnOff, {look.id}}).success && trial.step(open).success);
     return opened ? Obstacle::None : Obstacle::Shut;
   }
   trial = *known;

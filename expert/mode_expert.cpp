@@ -6,15 +6,10 @@
 #include "expert/belief_expert.h"
 #include "expert/execution.h"
 #include "expert/search_marks.h"
+#include "expert/tidying.h"
 
 namespace unietp {
 namespace {
-
-std::vector<Action> actions_of(const Demonstration& shown) {
-  std::vector<Action> actions;
-  for (const DemonstrationStep& step : shown.steps) actions.push_back(step.action);
-  return actions;
-}
 
 RejectionReason not_in(Mode mode) { return mode == Mode::M2 ? RejectionReason::NotInM2 : RejectionReason::NotInM3; }
 
@@ -47,7 +42,7 @@ std::optional<Predicate> state_without_action(Mode mode, const Formula& formula)
 std::variant<std::vector<Action>, Rejection> plan_of_who_knows(Mode mode, ExecutionTree& executions,
                                                                const Demonstration& shown,
                                                                const ExpertOptions& options) {
-  auto plan = actions_of(shown);
+  auto plan = actions_for_the_goal(shown);
   const auto is_offered = [mode](const Action& action) { return offers(info(action.type), mode); };
   if (std::all_of(plan.begin(), plan.end(), is_offered)) return plan;
   return find_plan(executions, options);
@@ -88,7 +83,9 @@ std::variant<Demonstration, Rejection> demonstrate_in(Mode mode, ExecutionTree& 
     done = std::move(std::get<std::vector<Action>>(acted));
   }
   Demonstration demonstration = record(executions, mode, done);
+  mark_tidying(executions, demonstration);
   mark_search(executions, demonstration);
+  done = actions_for_the_goal(demonstration);
   if (shortest.size() > done.size()) {
     auto needed = without_needless(executions, rules_of(Mode::M1), std::move(done), 1);
     if (needed) shortest = std::move(*needed);

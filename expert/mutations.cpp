@@ -7,6 +7,7 @@
 #include "expert/expert.h"
 #include "expert/rollout.h"
 #include "expert/situation.h"
+#include "expert/tidying.h"
 #include "logic/evaluate.h"
 
 namespace unietp {
@@ -60,12 +61,13 @@ class Mutator {
     return rollout.reaches_goal();
   }
 
-  /// Each step but those of a search, which nobody needs who knows what it shows.
+  /// Each step but those of a search, which nobody needs who knows what it shows, and those that only tidy up.
   void drop_each(const Demonstration& demonstration, const std::vector<Action>& actions,
                  std::vector<std::string>& surviving) const {
     Rollout here = start_;
     for (std::size_t i = 0; i < actions.size(); ++i) {
-      if (actions[i].type != ActionType::Stop && !demonstration.steps[i].search) {
+      const DemonstrationStep& step = demonstration.steps[i];
+      if (step.action.type != ActionType::Stop && !step.search && !step.tidying) {
         Rollout without = here;
         without.go_on(std::span(actions).subspan(i + 1));
         if (without.reaches_goal()) {
@@ -159,6 +161,7 @@ std::vector<std::string> needless_steps(ExecutionTree& executions, const Demonst
   const Mutator mutator(executions, demonstration.mode);
   std::vector<std::string> surviving;
   mutator.drop_each(demonstration, actions, surviving);
+  actions = actions_for_the_goal(demonstration);
   mutator.leave_in_hand(actions, surviving);
   mutator.swap_neighbours(actions, surviving);
   const Trace start{executions.entities(), {executions.facts(executions.world())}};

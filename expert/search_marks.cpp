@@ -15,7 +15,7 @@ void mark_search(ExecutionTree& executions, Demonstration& demonstration) {
   told.limits = rules_of(demonstration.mode).limits;
   Rollout here(executions, told);
   for (auto step = demonstration.steps.begin(); step != demonstration.steps.end(); ++step) {
-    if (may_be_search(step->action.type)) {
+    if (!step->tidying && may_be_search(step->action.type)) {
       Rollout without = here;
       for (auto later = std::next(step); later != demonstration.steps.end(); ++later)
         (void)without.go_on(later->action);

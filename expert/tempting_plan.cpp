@@ -5,6 +5,7 @@
 #include "expert/execution.h"
 #include "expert/rollout.h"
 #include "expert/situation.h"
+#include "expert/tidying.h"
 #include "logic/constraints.h"
 
 namespace unietp {
@@ -32,37 +33,41 @@ std::vector<Action> plan_for(const Formula& hasty, const Formula& asked, const E
   ExecutionTree branch = executions.with_goal(hasty);
   auto found = find_plan(branch, options);
   auto* plan = std::get_if<std::vector<Action>>(&found);
-  if (plan == nullptr || plan->size() > static_cast<std::size_t>(options.max_steps)) return {};
+  const std::size_t least = 2;  // something is done before `stop`
+  if (plan == nullptr || plan->size() < least || plan->size() > static_cast<std::size_t>(options.max_steps)) return {};
   ExecutionTree constrained = branch.with_goal(executions.goal()), relaxed = branch.with_goal(asked);
   if (reaches(constrained, *plan) || !reaches(relaxed, *plan) || !needs_each_step(relaxed, *plan)) return {};
   return std::move(*plan);
+}
+
+bool reaches_reading(const ExecutionTree& executions, const HastyReading& reading, const std::vector<Action>& plan) {
+  ExecutionTree of_reading = executions.with_goal(reading.goal);
+  return reaches(of_reading, plan);
 }
 
 }  // namespace
 
 std::vector<Action> tempting_plan(const ExecutionTree& executions, const Demonstration& shown) {
   const Formula& goal = executions.goal();
-  if (!constrains_the_way(goal)) return {};
-  const Formula asked = without_constraints(goal);
+  const std::vector<HastyReading> readings = hasty_readings(goal);
+  if (readings.empty()) return {};
+  const Formula& asked = readings.front().goal;
+  const std::vector<Action> done = actions_for_the_goal(shown);
   ExpertOptions no_longer;
-  no_longer.max_steps = static_cast<int>(shown.steps.size());
-  std::vector<Formula> hasty = with_an_order_reversed(goal);
-  hasty.push_back(asked);
-  for (const Formula& one : hasty) {
+  no_longer.max_steps = static_cast<int>(done.size());
+  for (const Formula& one : with_an_order_reversed(goal)) {
     if (auto plan = plan_for(one, asked, executions, no_longer); !plan.empty()) return plan;
   }
-  if (!has_operator(goal, {Formula::Op::Always})) return {};
-  const Formula all = without_references(asked);
-  std::vector<Action> done;
-  for (const DemonstrationStep& step : shown.steps) done.push_back(step.action);
-  ExecutionTree of_all = executions.with_goal(all);
-  if (reaches(of_all, done)) return {};  // nothing is left out
-  auto plan = plan_for(all, all, executions, {});
-  return plan.size() > shown.steps.size() ? plan : std::vector<Action>();  // a shorter one has to reach what was asked
+  for (const HastyReading& reading : readings) {
+    if (reading.takes_more && reaches_reading(executions, reading, done)) continue;  // it does not do more
+    auto plan = plan_for(reading.goal, reading.goal, executions, reading.takes_more ? ExpertOptions{} : no_longer);
+    if (!plan.empty()) return plan;
+  }
+  return {};
 }
 
 std::optional<Rejection> add_tempting_plan(Demonstration& demonstration, const ExecutionTree& executions) {
-  if (!constrains_the_way(executions.goal())) return std::nullopt;
+  if (hasty_readings(executions.goal()).empty()) return std::nullopt;
   demonstration.tempting = tempting_plan(executions, demonstration);
   if (demonstration.tempting.empty()) return Rejection{RejectionReason::NotTempting, to_text(executions.goal())};
   return std::nullopt;

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 /// The part of a demonstration that a plan shows.
 struct PlannedActions {
-  std::vector<Action> actions;                              // that succeeded
+  std::vector<Action> actions;                              // that succeeded and do not only tidy up
   std::vector<std::string> handled;                         // ids of their arguments
   std::vector<std::pair<std::string, std::string>> pieces;  // id of a piece, id of what it was cut from
 };
@@ -36,7 +36,7 @@ PlannedActions planned_actions(const DemonstrationRecord& demonstration) {
   PlannedActions all;
   std::set<std::string> known;
   for (const auto& step : demonstration.steps) {
-    if (!step.success) continue;
+    if (!step.success || step.tidying) continue;  // a plan needs each step
     const auto action = action_of(step.command);
     all.handled.insert(all.handled.end(), action.args.begin(), action.args.end());
     all.actions.push_back(action);

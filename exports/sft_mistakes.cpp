@@ -39,7 +39,7 @@ class MistakeMaker {
     double reward = 0;
     for (std::size_t i = 0; i < right_.steps.size(); ++i) {
       if (rng_.chance(rate_)) err(i);
-      const StepResult result = act(right_.steps[i].command, false, right_.steps[i].search);
+      const StepResult result = act(right_.steps[i].command, false, right_.steps[i]);
       if (!result.executed.front().outcome.success) return std::nullopt;
       reward = result.reward;
     }
@@ -82,7 +82,7 @@ class MistakeMaker {
     }
     const auto before = environment_.snapshot();
     const MistakenDemonstration made = made_;
-    const Outcome outcome = act(*command, true, false).executed.front().outcome;
+    const Outcome outcome = act(*command, true).executed.front().outcome;
     const bool common = outcome.failure == Failure::TooFar || outcome.failure == Failure::NotHolding;
     const bool tells = std::find(kTelling.begin(), kTelling.end(), outcome.failure) != kTelling.end();
     if (!outcome.success && tells && (any || !common)) return true;
@@ -107,10 +107,8 @@ class MistakeMaker {
     for (const auto& [unlike, id] : others) {
       const auto place = place_of(scene, id);
       if (!place ||
-          !act({std::string(info(ActionType::PickUp).name), {{id, {}}}}, true, false)
-               .executed.front()
-               .outcome.success ||
-          !act(*place, false, false).executed.front().outcome.success) {
+          !act({std::string(info(ActionType::PickUp).name), {{id, {}}}}, true).executed.front().outcome.success ||
+          !act(*place, false).executed.front().outcome.success) {
         environment_.restore(before);
         made_ = made;
         continue;
@@ -130,10 +128,12 @@ class MistakeMaker {
     return std::nullopt;
   }
 
-  StepResult act(const Command& command, bool mistake, bool search) {
+  /// `marks`: a step with the marks that it gets.
+  StepResult act(const Command& command, bool mistake, const StepRecord& marks = {}) {
     StepRecord step;
     step.command = command;
-    step.search = search;
+    step.search = marks.search;
+    step.tidying = marks.tidying;
     if (boxes_) {
       step.visible = environment_.pictured();
     } else {

@@ -7,6 +7,7 @@
 #include "grounding/check_looks.h"
 #include "grounding/check_references.h"
 #include "grounding/goal_places.h"
+#include "grounding/nearness_on_foot.h"
 #include "grounding/reach.h"
 #include "logic/evaluate.h"
 #include "scene/comparisons.h"
@@ -183,6 +184,8 @@ std::optional<GroundingFailure> check_start(const Specification& specification, 
   if (auto problem = check_referring(specification, trace)) return problem;
   if (gates.natural) {
     if (auto problem = check_references(specification, trace)) return problem;
+    if (auto problem = check_nearness_on_foot(specification.goal, start, grown.places, trace, grown.walk->grid))
+      return problem;
   }
   Reach reach(home, start, grown, profile);
   if (auto problem = check_reach(specification, start, grown.places, trace, reach)) return problem;

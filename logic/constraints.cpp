@@ -1,6 +1,8 @@
 #include "logic/constraints.h"
 
 #include <algorithm>
+#include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -36,6 +38,24 @@ bool is_pouring(const Formula& order) {
          second.predicate == Predicate::Filled && first.terms.back() == second.terms.back();
 }
 
+bool has_always(const Formula& formula) {
+  return formula.op == Op::Always || std::any_of(formula.children.begin(), formula.children.end(), has_always);
+}
+
+/// "Exactly n", with n not 0. What is compared with another number is none, nor what a phrase tells from others: of the
+/// red ones there are seldom more than are asked for.
+bool is_exactly_some(const Formula& formula) {
+  return formula.op == Op::Count && formula.comparison == Comparison::Equal && formula.number > 0 &&
+         formula.children.size() == 1 && formula.domain.where.empty();
+}
+
+/// "At most n", with some allowed.
+bool limits_from_above(const Formula& formula) {
+  return formula.op == Op::Count && formula.children.size() == 1 &&
+         ((formula.comparison == Comparison::AtMost && formula.number > 0) ||
+          (formula.comparison == Comparison::Less && formula.number > 1));
+}
+
 /// The variable of the whole of which a variable is a slice, by a conjunct of the goal; "" when there is none.
 std::string whole_of(const std::string& slice, const Formula& goal) {
   if (goal.op == Op::Atom && goal.predicate == Predicate::SliceOf && goal.terms[0].name == slice)
@@ -66,13 +86,17 @@ Formula reversed(const Formula& order, const Formula& goal) {
   return formula;
 }
 
-std::vector<Formula> with_one_reversed(const Formula& part, const Formula& goal) {
+/// The goal without its constraints, but with one of its parts changed: one formula for each part that changes.
+std::vector<Formula> with_one_changed(const Formula& part,
+                                      const std::function<std::optional<Formula>(const Formula&)>& change) {
   if (is_pouring(part)) return {};
-  if (part.op == Op::Before || part.op == Op::Until) return {reversed(part, goal)};
-  if (part.op == Op::Always || part.op == Op::Not || part.op == Op::Imply) return {};
+  if (auto changed = change(part)) return {std::move(*changed)};
+  if (part.op == Op::Before || part.op == Op::Until || part.op == Op::Always || part.op == Op::Not ||
+      part.op == Op::Imply)
+    return {};
   std::vector<Formula> all;
   for (std::size_t i = 0; i < part.children.size(); ++i) {
-    for (Formula& inner : with_one_reversed(part.children[i], goal)) {
+    for (Formula& inner : with_one_changed(part.children[i], change)) {
       Formula around = without_constraints(part);
       around.children[i] = std::move(inner);
       all.push_back(std::move(around));
@@ -99,8 +123,8 @@ Formula without_constraints(Formula goal) {
     default:
       break;
   }
-  if (goal.op == Op::Count && goal.comparison == Comparison::Equal && goal.number > 0)
-    goal.comparison = Comparison::AtLeast;
+  if (limits_from_above(goal)) return conjunction({});
+  if (is_exactly_some(goal)) goal.comparison = Comparison::AtLeast;
   for (Formula& child : goal.children) child = without_constraints(std::move(child));
   return goal;
 }
@@ -111,21 +135,30 @@ Formula without_references(Formula goal) {
   return goal;
 }
 
-bool constrains_the_way(const Formula& goal) {
-  if (is_pouring(goal)) return false;
-  switch (goal.op) {
-    case Op::Always:
-    case Op::Before:
-    case Op::Until:
-      return true;
-    case Op::Not:
-    case Op::Imply:
-      return false;  // as without_constraints, which leaves them as they are
-    default:
-      return std::any_of(goal.children.begin(), goal.children.end(), constrains_the_way);
-  }
+std::vector<Formula> with_an_order_reversed(const Formula& goal) {
+  return with_one_changed(goal, [&goal](const Formula& part) -> std::optional<Formula> {
+    if (part.op != Op::Before && part.op != Op::Until) return std::nullopt;
+    return reversed(part, goal);
+  });
 }
 
-std::vector<Formula> with_an_order_reversed(const Formula& goal) { return with_one_reversed(goal, goal); }
+std::vector<Formula> with_one_too_many(const Formula& goal) {
+  return with_one_changed(goal, [](const Formula& part) -> std::optional<Formula> {
+    if (!is_exactly_some(part) && !limits_from_above(part)) return std::nullopt;
+    Formula more = part;
+    if (part.comparison != Comparison::Less) ++more.number;
+    if (part.comparison != Comparison::Equal) more.comparison = Comparison::AtLeast;
+    return more;
+  });
+}
+
+std::vector<HastyReading> hasty_readings(const Formula& goal) {
+  const Formula asked = without_constraints(goal);
+  if (asked == goal) return {};
+  std::vector<HastyReading> readings{{asked, false}};
+  for (Formula& one : with_one_too_many(goal)) readings.push_back({std::move(one), true});
+  if (has_always(goal)) readings.push_back({without_references(asked), true});
+  return readings;
+}
 
 }  // namespace unietp

@@ -53,8 +53,8 @@ TaskText text_of(const Task& task, std::uint64_t seed) {
   const auto count = [&](const Demonstration& shown) {
     const auto failures = std::count_if(shown.steps.begin(), shown.steps.end(),
                                         [](const DemonstrationStep& step) { return !step.outcome.success; });
-    text.expert.push_back({shown.mode, static_cast<int>(shown.steps.size()), static_cast<int>(failures),
-                           static_cast<int>(shown.shortest.size())});
+    text.expert.push_back(
+        {shown.mode, static_cast<int>(shown.steps.size()), static_cast<int>(failures), shortest_steps(shown)});
   };
   count(task.demonstration);
   for (const Demonstration& shown : task.in_other_modes) count(shown);

@@ -63,6 +63,7 @@ StepRecord read_step(JsonReader& reader, const JsonAt& at) {
   if (const auto f = fields.required("failure")) step.failure = reader.text(*f);
   if (const auto f = fields.required("feedback")) step.feedback = text_or_empty(reader, *f);
   if (const auto f = fields.required("search")) step.search = reader.boolean(*f);
+  if (const auto f = fields.optional("tidying")) step.tidying = reader.boolean(*f);
   if (const auto f = fields.required("visible")) step.visible = read_visible(reader, *f);
   if (const auto f = fields.required("changes")) step.changes = read_part(reader, *f, delta_from_json, f->json);
   fields.finish();

@@ -73,9 +73,8 @@ void read_expert(JsonReader& reader, const JsonAt& at, TaskRecord& task) {
     JsonFields fields(reader, *f);
     if (const auto steps = fields.required("steps")) count.steps = read_whole(reader, *steps);
     if (const auto failures = fields.required("failures")) count.failures = read_whole(reader, *failures);
-    if (mode != Mode::M1) {
-      if (const auto shortest = fields.required("shortest_steps")) count.shortest = read_whole(reader, *shortest);
-    }
+    const auto shortest = mode == Mode::M1 ? fields.optional("shortest_steps") : fields.required("shortest_steps");
+    if (shortest) count.shortest = read_whole(reader, *shortest);
     fields.finish();
     task.expert.push_back(count);
   }

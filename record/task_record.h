@@ -40,7 +40,7 @@ struct TaskRecord {
   struct Count {
     Mode mode = Mode::M1;
     int steps = 0, failures = 0;
-    int shortest = 0;  // steps of the shortest plan kept beside it; 0 in M1, which has none
+    int shortest = 0;  // of the shortest plan kept beside it; in M1 without steps that only tidy up, 0: there are none
   };
   std::uint64_t run = 0;  // seed of the run
   int slot = 0, attempt = 0;
@@ -58,7 +58,8 @@ struct StepRecord {
   std::string failure, feedback;
   std::vector<VisibleObject> visible;
   Delta changes;
-  bool search = false;  // only served to see something
+  bool search = false;   // only served to see something
+  bool tidying = false;  // only closes what was opened before
 };
 /// A line of demonstrations/<mode>.jsonl.
 struct DemonstrationRecord {

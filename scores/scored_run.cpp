@@ -86,7 +86,7 @@ Result<RunOutline> outline_of(const std::filesystem::path& folder, int pictured)
 std::optional<int> shortest_plan(const EpisodeKey& key, const EnvironmentTask& task, const RunOutline& outline) {
   std::optional<int> shortest;
   for (const TaskRecord::Count& shown : task.text.expert) {
-    if (shown.mode == key.mode) shortest = shown.mode == Mode::M1 ? shown.steps : shown.shortest;
+    if (shown.mode == key.mode) shortest = shown.shortest == 0 ? shown.steps : shown.shortest;
   }
   if (const auto own = outline.fewest.find({key.task, key.mode}); own != outline.fewest.end())
     shortest = std::min(shortest.value_or(own->second), own->second);

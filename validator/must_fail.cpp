@@ -70,10 +70,10 @@ class PlanChanger {
         traces_(traces),
         where_(std::move(where)) {}
 
-  void leave_out_each(const std::vector<Action>& plan, const std::vector<bool>& search) {
+  void leave_out_each(const std::vector<Action>& plan, const StepMarks& marks) {
     Rollout here = start_;
     for (std::size_t i = 0; i < plan.size(); ++i) {
-      if (i < search.size() && search[i]) {
+      if (marks.is_search(i) || marks.is_tidying(i)) {
         here.act(plan[i]);
         continue;
       }
@@ -224,17 +224,41 @@ std::string_view name_of(PlanChange change) {
       return "reversed-parts";
     case PlanChange::Distractor:
       return "distractor";
+    case PlanChange::Tempting:
+      return "tempting";
   }
   return "";
 }
 
 MustFail must_fail(const Formula& goal, const World& start, Mode mode, const TraceMaker& traces,
-                   const std::vector<Action>& plan, const std::vector<bool>& search, const std::string& where) {
+                   const std::vector<Action>& plan, const StepMarks& marks, const std::string& where) {
   PlanChanger changer(goal, start, mode, traces, where);
-  changer.leave_out_each(plan, search);
-  changer.change_order(plan);
-  changer.use_distractors(plan);
+  changer.leave_out_each(plan, marks);
+  std::vector<Action> for_the_goal;
+  for (std::size_t i = 0; i < plan.size(); ++i)
+    if (!marks.is_tidying(i)) for_the_goal.push_back(plan[i]);
+  changer.change_order(for_the_goal);
+  changer.use_distractors(for_the_goal);
   return changer.take();
+}
+
+std::optional<AlteredPlan> run_tempting(const Formula& goal, const World& start, Mode mode, const TraceMaker& traces,
+                                        const std::vector<Command>& tempting) {
+  Rollout rollout{ModeEpisode(start, mode), {}, {}};
+  for (const Command& command : tempting) {
+    const auto type = action_named(command.action);
+    if (!type) return std::nullopt;
+    Action action{*type, {}};
+    for (const Argument& argument : command.args) action.args.push_back(argument.id);
+    const auto said = rollout.commands.size();
+    const int failures = rollout.episode.failures();
+    rollout.act(action);
+    if (rollout.commands.size() == said || rollout.episode.failures() != failures) return std::nullopt;
+  }
+  const Trace trace = traces.of(rollout.changes);
+  const bool reached = holds(goal, trace);
+  const bool breaks = !reached && holds(without_constraints(goal), trace);
+  return AlteredPlan{PlanChange::Tempting, std::move(rollout.commands), reached, breaks};
 }
 
 }  // namespace unietp

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,14 +11,15 @@
 #include "simulation/mode_rules.h"
 #include "simulation/world.h"
 #include "validator/problem.h"
+#include "validator/search_check.h"
 #include "validator/trace_maker.h"
 
 namespace unietp {
 
 /// How a plan was changed: without one of its steps, which put nothing down; without a step that put the held object
 /// down; with two neighboring parts in the other order; with all parts in reverse; with an object that the goal
-/// excludes in place of a referent.
-enum class PlanChange : std::uint8_t { MissingStep, KeptInHand, SwappedParts, ReversedParts, Distractor };
+/// excludes in place of a referent; another plan, which forgets a constraint.
+enum class PlanChange : std::uint8_t { MissingStep, KeptInHand, SwappedParts, ReversedParts, Distractor, Tempting };
 std::string_view name_of(PlanChange change);  // "missing-step"
 
 /// A changed plan as an agent says it, `stop` included, and what it came to.
@@ -39,8 +41,14 @@ struct MustFail {
 /// order, and with an excluded object in place of each referent. Actions whose object cannot be named at that point are
 /// skipped. A changed plan that reaches the goal is a problem; of the orders, one that fails is enough, since not every
 /// order matters, and no further one is tried. `plan`: the actions of the demonstration, with objects by their ids,
-/// without `stop`; `search`: which of them only served to see something, and so may be missing.
+/// without `stop`; `marks`: which of them only served to see something or to tidy up, and so may be missing; the
+/// changes of order and objects are made to the plan without those that tidy up.
 MustFail must_fail(const Formula& goal, const World& start, Mode mode, const TraceMaker& traces,
-                   const std::vector<Action>& plan, const std::vector<bool>& search, const std::string& where);
+                   const std::vector<Action>& plan, const StepMarks& marks, const std::string& where);
+
+/// The tempting plan of a demonstration in M1, under the rules of a mode; nullopt where one of its actions cannot be
+/// said or fails there.
+std::optional<AlteredPlan> run_tempting(const Formula& goal, const World& start, Mode mode, const TraceMaker& traces,
+                                        const std::vector<Command>& tempting);
 
 }  // namespace unietp

@@ -73,6 +73,7 @@ enum class ProblemKind : std::uint8_t {
   AnyOrder,
   DistractorServes,
   SearchMark,
+  TidyingMark,
   ShortestPlan,
   TemptingPlan,
   // an instruction

@@ -118,6 +118,7 @@ class TaskProver {
       found(prove_goal_at_start(task_, *goal_, constraints_, start_, traces.at_start(), *backend_->knowledge,
                                 reading_.where));
     for (const auto& [mode, demonstration] : shown) prove_demonstration(*world, mode, demonstration, traces);
+    if (in_m1 != shown.end() && goal_) add_tempting(*world, shown, in_m1->second.tempting, traces);
     if (reading_.wordings) prove_wordings(*reading_.wordings, traces, in_m1 == shown.end() ? nullptr : &in_m1->second);
     if (proof_.problems.empty()) compare_with_remade();
   }
@@ -167,14 +168,14 @@ class TaskProver {
     }
     if (!holds(*goal_, trace))
       found(ProblemKind::GoalNotReached, where_shown(mode), "its replay does not reach the goal " + task_.goal_text);
-    const auto search = mode == Mode::M1 ? std::vector<bool>() : search_steps(*goal_, world, traces, done.plan);
-    found(check_marks(demonstration, search, where_shown(mode)));
+    const StepMarks marks = marks_of(*goal_, world, mode, traces, done.plan);
+    found(check_marks(demonstration, marks, where_shown(mode)));
     found(check_shortest(*goal_, world, traces, task_, mode, demonstration, where_shown(mode)));
     found(check_tempting(*goal_, world, traces, mode, demonstration, trace, where_shown(mode)));
-    auto altered = must_fail(*goal_, world, mode, traces, done.plan, search, where_shown(mode));
+    auto altered = must_fail(*goal_, world, mode, traces, done.plan, marks, where_shown(mode));
     proof_.counts.altered_plans += static_cast<int>(altered.plans.size());
     found(std::move(altered.problems));
-    if (mode == Mode::M1 && without_constraints(*goal_) != *goal_) {
+    if (mode == Mode::M1 && !hasty_readings(*goal_).empty()) {
       ++proof_.counts.constrained;
       proof_.counts.tempting += !demonstration.tempting.empty() ||
                                 std::any_of(altered.plans.begin(), altered.plans.end(),
@@ -182,6 +183,20 @@ class TaskProver {
     }
     if (!tools_.options.take_plan) return;
     for (AlteredPlan& plan : altered.plans) proof_.plans.push_back({mode, std::move(plan)});
+  }
+
+  /// The plan that forgets a constraint, as an altered plan of the modes that tell of what is there by ids.
+  void add_tempting(const World& world, const std::map<Mode, DemonstrationRecord>& shown,
+                    const std::vector<Command>& tempting, const TraceMaker& traces) {
+    for (const Mode mode : {Mode::M1, Mode::M2}) {
+      if (tempting.empty() || !shown.contains(mode)) continue;
+      auto run = run_tempting(*goal_, world, mode, traces, tempting);
+      if (!run) continue;
+      ++proof_.counts.altered_plans;
+      if (run->reaches_goal)
+        found(ProblemKind::TemptingPlan, where_shown(mode), "the goal is also reached by its tempting plan");
+      if (tools_.options.take_plan) proof_.plans.push_back({mode, std::move(*run)});
+    }
   }
 
   void prove_instruction() {

@@ -1,5 +1,6 @@
 #include "validator/search_check.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -23,10 +24,19 @@ struct InformedEpisode {
   }
 };
 
-bool only_looks(ActionType type) {
+bool moves_the_body(ActionType type) {
   const ActionClass group = info(type).group;
-  return group == ActionClass::Movement || group == ActionClass::Reach || type == ActionType::Open ||
-         type == ActionType::Close;
+  return group == ActionClass::Movement || group == ActionClass::Reach;
+}
+
+bool only_looks(ActionType type) {
+  return moves_the_body(type) || type == ActionType::Open || type == ActionType::Close;
+}
+
+/// How many steps do not only tidy up.
+int steps_for_the_goal(const DemonstrationRecord& demonstration) {
+  return static_cast<int>(std::count_if(demonstration.steps.begin(), demonstration.steps.end(),
+                                        [](const StepRecord& step) { return !step.tidying; }));
 }
 
 /// Whether the commands after one that is left out reach the goal.
@@ -69,15 +79,52 @@ std::vector<bool> search_steps(const Formula& goal, const World& start, const Tr
   return search;
 }
 
-std::vector<Problem> check_marks(const DemonstrationRecord& demonstration, const std::vector<bool>& search,
+std::vector<bool> tidying_steps(const Formula& goal, const World& start, const TraceMaker& traces,
+                                const std::vector<Action>& plan) {
+  std::vector<Command> commands;
+  std::vector<InformedEpisode> before{{ModeEpisode(start, Mode::M1), {}}};
+  for (const Action& action : plan) {
+    commands.push_back(by_ids(action));
+    before.push_back(before.back());
+    (void)before.back().act(commands.back());
+  }
+  const auto is_needless = [&](std::size_t i) { return goes_without(goal, before[i], traces, commands, i); };
+  std::vector<bool> tidying(plan.size(), false);
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    const Action opened{ActionType::Open, plan[i].args};
+    const auto here = plan.begin() + static_cast<std::ptrdiff_t>(i);
+    if (plan[i].type != ActionType::Close || std::find(plan.begin(), here, opened) == here || !is_needless(i)) continue;
+    tidying[i] = true;
+    for (std::size_t k = i; k > 0 && moves_the_body(plan[k - 1].type) && is_needless(k - 1); --k) tidying[k - 1] = true;
+  }
+  return tidying;
+}
+
+StepMarks marks_of(const Formula& goal, const World& start, Mode mode, const TraceMaker& traces,
+                   const std::vector<Action>& plan) {
+  StepMarks marks{std::vector<bool>(plan.size(), false), tidying_steps(goal, start, traces, plan)};
+  if (mode == Mode::M1) return marks;
+  marks.search = search_steps(goal, start, traces, plan);
+  for (std::size_t i = 0; i < plan.size(); ++i) marks.search[i] = marks.search[i] && !marks.tidying[i];
+  return marks;
+}
+
+std::vector<Problem> check_marks(const DemonstrationRecord& demonstration, const StepMarks& marks,
                                  const std::string& where) {
   for (std::size_t i = 0; i < demonstration.steps.size(); ++i) {
-    const bool should = i < search.size() && search[i];
-    if (demonstration.steps[i].search == should) continue;
-    return {problem_in(ProblemKind::SearchMark, where,
-                       "step " + std::to_string(i + 1) + " " + to_text(demonstration.steps[i].command) +
-                           (should ? " only serves to see something, and is not marked as search"
-                                   : " is marked as search, but the goal needs it"))};
+    const StepRecord& step = demonstration.steps[i];
+    const bool search = marks.is_search(i), tidying = marks.is_tidying(i);
+    const auto found = [&](ProblemKind kind, const char* fault) {
+      return std::vector{
+          problem_in(kind, where, "step " + std::to_string(i + 1) + " " + to_text(step.command) + " " + fault)};
+    };
+    if (step.tidying != tidying)
+      return found(ProblemKind::TidyingMark, tidying
+                                                 ? "only closes what was opened before, and is not marked as tidying"
+                                                 : "is marked as tidying, but does not only tidy up");
+    if (step.search != search)
+      return found(ProblemKind::SearchMark, search ? "only serves to see something, and is not marked as search"
+                                                   : "is marked as search, but the goal needs it");
   }
   return {};
 }
@@ -89,13 +136,16 @@ std::vector<Problem> check_shortest(const Formula& goal, const World& start, con
     return std::vector{problem_in(ProblemKind::ShortestPlan, where, "its shortest plan " + std::move(message))};
   };
   const std::vector<Command>& plan = demonstration.shortest;
-  if (mode == Mode::M1) return plan.empty() ? std::vector<Problem>() : found("is beside a demonstration in M1");
-  const auto steps = static_cast<int>(plan.size());
+  if (mode == Mode::M1 && !plan.empty()) return found("is beside a demonstration in M1");
+  const int needed = steps_for_the_goal(demonstration);
+  const bool all_needed = needed == static_cast<int>(demonstration.steps.size());
+  const int steps = mode != Mode::M1 ? static_cast<int>(plan.size()) : all_needed ? 0 : needed;
   for (const TaskRecord::Count& count : task.expert) {
     if (count.mode == mode && count.shortest != steps)
       return found("has " + std::to_string(steps) + " steps, its task says " + std::to_string(count.shortest));
   }
-  if (plan.size() > demonstration.steps.size()) return found("is longer than the demonstration");
+  if (mode == Mode::M1) return {};
+  if (steps > needed) return found("is longer than the demonstration");
   InformedEpisode here{ModeEpisode(start, Mode::M1), {}};
   if (const auto fault = fault_of(goal, here, traces, mode, plan)) return found(*fault);
   return {};
@@ -108,18 +158,20 @@ std::vector<Problem> check_tempting(const Formula& goal, const World& start, con
     return std::vector{problem_in(ProblemKind::TemptingPlan, where, "its tempting plan " + std::move(message))};
   };
   const std::vector<Command>& plan = demonstration.tempting;
-  const bool wanted = mode == Mode::M1 && constrains_the_way(goal);
-  if (plan.empty()) return wanted ? found("is missing") : std::vector<Problem>();
-  if (!wanted) return found("is beside a goal that has no constraint, or not in M1");
-  Formula asked = without_constraints(goal);
-  if (plan.size() > demonstration.steps.size()) {
-    asked = without_references(asked);
-    if (holds(asked, shown)) return found("is longer than the demonstration");
+  const auto readings = mode == Mode::M1 ? hasty_readings(goal) : std::vector<HastyReading>();
+  if (plan.empty()) return readings.empty() ? std::vector<Problem>() : found("is missing");
+  if (readings.empty()) return found("is beside a goal that has no constraint, or not in M1");
+  const bool longer = static_cast<int>(plan.size()) > steps_for_the_goal(demonstration);
+  std::string fault = "is longer than the demonstration";
+  for (const HastyReading& reading : readings) {
+    if (longer && (!reading.takes_more || holds(reading.goal, shown))) continue;
+    InformedEpisode here{ModeEpisode(start, Mode::M1), {}};
+    const auto wrong = fault_of(reading.goal, here, traces, mode, plan);
+    if (!wrong && plan.size() > 1)
+      return holds(goal, traces.of(here.changes)) ? found("breaks no constraint") : std::vector<Problem>();
+    fault = wrong ? *wrong : "does nothing";
   }
-  InformedEpisode here{ModeEpisode(start, Mode::M1), {}};
-  if (const auto fault = fault_of(asked, here, traces, mode, plan)) return found(*fault);
-  if (holds(goal, traces.of(here.changes))) return found("breaks no constraint");
-  return {};
+  return found(fault);
 }
 
 }  // namespace unietp

@@ -17,21 +17,35 @@ namespace unietp {
 std::vector<bool> search_steps(const Formula& goal, const World& start, const TraceMaker& traces,
                                const std::vector<Action>& plan);
 
+/// Which steps of a plan only tidy up: each `close` of what the plan opened before without which alone the rest reaches
+/// the goal as well, and the steps right before it that only lead there. `plan`: as above.
+std::vector<bool> tidying_steps(const Formula& goal, const World& start, const TraceMaker& traces,
+                                const std::vector<Action>& plan);
+
+/// Which steps of a demonstration the goal does not need. None has both marks; steps after the end of a list have none.
+struct StepMarks {
+  std::vector<bool> search, tidying;
+  bool is_search(std::size_t step) const { return step < search.size() && search[step]; }
+  bool is_tidying(std::size_t step) const { return step < tidying.size() && tidying[step]; }
+};
+/// Of a plan in a mode, in which only M2 and M3 have search.
+StepMarks marks_of(const Formula& goal, const World& start, Mode mode, const TraceMaker& traces,
+                   const std::vector<Action>& plan);
 /// The marks of a demonstration against those.
-std::vector<Problem> check_marks(const DemonstrationRecord& demonstration, const std::vector<bool>& search,
+std::vector<Problem> check_marks(const DemonstrationRecord& demonstration, const StepMarks& marks,
                                  const std::string& where);
 
 /// The shortest plan beside a demonstration: it has the length that the task says, no more steps than the demonstration
 /// and only actions of the mode; done by who is told everything, each step succeeds and is needed, and it reaches the
-/// goal. In M1 there is none.
+/// goal. In M1 there is none; the task says how many steps do not tidy up where some do.
 std::vector<Problem> check_shortest(const Formula& goal, const World& start, const TraceMaker& traces,
                                     const TaskRecord& task, Mode mode, const DemonstrationRecord& demonstration,
                                     const std::string& where);
 
-/// The tempting plan beside a demonstration in M1: it is there if the goal constrains the way to it
-/// (logic/constraints.h) and only then, has no more steps than the demonstration, or does to all things what the goal
-/// does to some; each step succeeds and is needed, and it reaches the goal without its constraints, but not the goal.
-/// `shown`: the trace of the demonstration.
+/// The tempting plan beside a demonstration in M1: it is there if the goal has constraints (logic/constraints.h) and
+/// only then, has no more steps than the demonstration without those that only tidy up, or does too much; each step
+/// succeeds and is needed, and it reaches one of the hasty readings of the goal, but not the goal. `shown`: the trace
+/// of the demonstration.
 std::vector<Problem> check_tempting(const Formula& goal, const World& start, const TraceMaker& traces, Mode mode,
                                     const DemonstrationRecord& demonstration, const Trace& shown,
                                     const std::string& where);

@@ -29,6 +29,7 @@ class DemonstrationStep:
     visible: list[dict[str, Any]]  #: in the picture before the step: {"id", "box"}
     changes: dict[str, Any]  #: of the scene graph (`changed`)
     search: bool = False  #: only served to see something; a trainer may weigh it less
+    tidying: bool = False  #: only closes what was opened before; the goal does not need it
 
     def command(self) -> dict[str, Any]:
         """The action as an environment takes it: {"action", "args"}."""
@@ -263,6 +264,7 @@ def _demonstration(line: dict[str, Any]) -> Demonstration:
                 visible=step["visible"],
                 changes=step["changes"],
                 search=step["search"],
+                tidying=step.get("tidying", False),
             )
             for step in line["steps"]
         ]

@@ -242,6 +242,23 @@ const std::vector<Corruption> kCorruptions{
        steps_of(s).front()["search"] = true;
        return true;
      }},
+    {"AStepThatDoesNotTidyUp", "tidying-mark",
+     [](DamagedTask& s) {
+       if (steps_of(s).front().contains("tidying")) return false;
+       steps_of(s).front()["tidying"] = true;
+       return true;
+     }},
+    {"ATidyingStepWithoutItsMark", "tidying-mark",
+     [](DamagedTask& s) {
+       std::size_t unmarked = 0;
+       for (Json& step : steps_of(s)) unmarked += step.erase("tidying");
+       return unmarked > 0;
+     }},
+    {"ACountOfTidyingStepsThatIsWrong", "shortest-plan",
+     [](DamagedTask& s) {
+       s.task["expert"]["M1"]["shortest_steps"] = 49;
+       return true;
+     }},
     {"AShortestPlanInM1", "shortest-plan",
      [](DamagedTask& s) {
        s.demonstration["shortest"] = Json::array({{{"action", "stop"}, {"args", Json::array()}}});

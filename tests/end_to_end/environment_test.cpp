@@ -121,7 +121,7 @@ TEST(EnvironmentsOfADataSet, RewardNoPlanThatLacksAStep) {
       const auto shown = tasks.demonstration(i, mode);
       ASSERT_TRUE(shown);
       for (std::size_t left_out = 0; left_out + 1 < shown->steps.size(); ++left_out) {
-        if (shown->steps[left_out].search) continue;  // served only to see something
+        if (shown->steps[left_out].search || shown->steps[left_out].tidying) continue;  // not needed for the goal
         SCOPED_TRACE(tasks.listing()[i].id + " in " + std::string(name_of(mode)) + " without step " +
                      std::to_string(left_out + 1));
         Environment environment = environment_of(tasks, i, mode);

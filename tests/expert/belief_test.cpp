@@ -144,7 +144,7 @@ TEST_P(Belief, StepsThatOnlyServeToSeeAreMarkedAndNoOthers) {
     for (const DemonstrationStep& step : demonstration.steps) {
       if (&step != &left_out) (void)rollout.go_on(step.action);
     }
-    EXPECT_EQ(rollout.reaches_goal(), left_out.search) << to_text(left_out.action);
+    EXPECT_EQ(rollout.reaches_goal(), left_out.search || left_out.tidying) << to_text(left_out.action);
   }
 }
 

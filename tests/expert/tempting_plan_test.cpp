@@ -85,6 +85,33 @@ TEST_F(TemptingPlan, DoesToAllWhatIsMeantForAllButSome) {
   EXPECT_TRUE(reaches("(exists (?t - SideTable) (forall (?a - Mug) (at-end (on ?a ?t))))", plan));
 }
 
+TEST_F(TemptingPlan, BringsOneMoreThanExactlySoMany) {
+  const std::string two = "(exists (?t - SideTable) (at-end (count = 2 (?a - Mug) (on ?a ?t))))";
+  const auto plan = of(two);
+  ASSERT_THAT(plan, Not(IsEmpty()));
+  EXPECT_GT(plan.size(), shown_.steps.size());
+  EXPECT_FALSE(reaches(two, plan));
+  EXPECT_TRUE(reaches("(exists (?t - SideTable) (at-end (count = 3 (?a - Mug) (on ?a ?t))))", plan));
+}
+
+TEST_F(TemptingPlan, IsNoneWhereThereIsNoOneMore) {
+  EXPECT_THAT(of("(exists (?t - SideTable) (at-end (count = 3 (?a - Mug) (on ?a ?t))))"), IsEmpty());
+}
+
+TEST_F(TemptingPlan, LeavesMoreThanAtMostSoMany) {
+  const std::string few =
+      "(exists (?t - DiningTable) (exists (?c - CounterTop) (at-end (and (count >= 2 (?a - Mug) (on ?a ?c))"
+      " (count <= 0 (?a - Mug) (held ?a)) (count < 2 (?a - Mug) (on ?a ?t))))))";
+  move_to(start, "mug_3", 2.55, 1.2, 0.751);
+  start = at_rest(start);
+  add(start, knowledge, "mug_4", "Mug", 2.2, 3.5, 0.902);
+  start = at_rest(start);
+  const auto plan = of(few);
+  expect_no_longer(plan);
+  EXPECT_FALSE(reaches(few, plan));
+  EXPECT_TRUE(reaches("(exists (?c - CounterTop) (at-end (count >= 2 (?a - Mug) (on ?a ?c))))", plan));
+}
+
 TEST_F(TemptingPlan, IsNoneWhereNothingElseIsAsShort) {
   EXPECT_THAT(of("(exists (?f - Fridge) (exists (?a - Apple) (at-end (inside ?a ?f))))"), IsEmpty()) << "no constraint";
   EXPECT_THAT(of("(exists (?x - Lamp) (and (at-end (power_on ?x)) (forall (?f - Fridge) (always (closed ?f)))))"),

@@ -50,16 +50,60 @@ TEST(WithoutConstraints, MoreThanExactlySoManyWouldDo) {
 
 TEST(WithoutConstraints, PouringIsNoOrderThatAnybodyCouldBreak) {
   EXPECT_EQ(without_constraints(goal(kPoured)), goal(kPoured));
-  EXPECT_FALSE(constrains_the_way(goal(kPoured)));
+  EXPECT_THAT(hasty_readings(goal(kPoured)), IsEmpty());
   EXPECT_THAT(reversed(kPoured), IsEmpty());
 }
 
-TEST(ConstrainsTheWay, IsSaidOfOrdersAndWhatStays) {
-  EXPECT_TRUE(constrains_the_way(goal(kOrdered)));
-  EXPECT_TRUE(constrains_the_way(goal(kAllBefore)));
-  EXPECT_TRUE(constrains_the_way(goal("(exists (?a - Mug) (and (at-end (held ?a)) (always (clean ?a))))")));
-  EXPECT_FALSE(constrains_the_way(goal("(exists (?t - Table) (at-end (count = 2 (?a - Mug) (on ?a ?t))))")));
-  EXPECT_FALSE(constrains_the_way(goal("(exists (?a - Mug) (not (always (clean ?a))))")));
+constexpr const char* kExactly = "(exists (?t - Table) (at-end (count = 2 (?a - Mug) (on ?a ?t))))";
+constexpr const char* kAtMost =
+    "(exists (?t - Table) (exists (?b - Bed) (at-end (and (count >= 2 (?a - Mug) (on ?a ?b))"
+    " (count <= 1 (?a - Mug) (on ?a ?t))))))";
+
+TEST(WithoutConstraints, MoreThanAtMostSoManyWouldDo) {
+  EXPECT_EQ(without_constraints(goal(kAtMost)),
+            goal("(exists (?t - Table) (exists (?b - Bed) (at-end (and (count >= 2 (?a - Mug) (on ?a ?b)) (and)))))"));
+  const Formula fewer = goal("(exists (?t - Table) (at-end (count < 2 (?a - Mug) (on ?a ?t))))");
+  EXPECT_EQ(without_constraints(fewer), goal("(exists (?t - Table) (at-end (and)))"));
+  const Formula as_many =
+      goal("(exists (?t - Table) (at-end (count = (number (?a - Mug) (on ?a ?t)) (number (?b - Cup) (on ?b ?t)))))");
+  EXPECT_EQ(without_constraints(as_many), as_many);
+}
+
+TEST(WithOneTooMany, OneMoreThanExactlySoMany) {
+  const auto more = with_one_too_many(goal(kExactly));
+  ASSERT_EQ(more.size(), 1U);
+  EXPECT_EQ(to_text(more.front()), "(exists (?t - Table) (at-end (count = 3 (?a - Mug) (on ?a ?t))))");
+  const auto left = with_one_too_many(goal(kAtMost));
+  ASSERT_EQ(left.size(), 1U);
+  EXPECT_EQ(to_text(left.front()),
+            "(exists (?t - Table) (exists (?b - Bed) (at-end (and (count >= 2 (?a - Mug) (on ?a ?b))"
+            " (count >= 2 (?a - Mug) (on ?a ?t))))))");
+  const auto fewer = with_one_too_many(goal("(exists (?t - Table) (at-end (count < 2 (?a - Mug) (on ?a ?t))))"));
+  ASSERT_EQ(fewer.size(), 1U);
+  EXPECT_EQ(to_text(fewer.front()), "(exists (?t - Table) (at-end (count >= 2 (?a - Mug) (on ?a ?t))))");
+}
+
+TEST(HastyReadings, AreNotOfCountsOfWhatAPhraseTellsFromOthers) {
+  EXPECT_THAT(
+      hasty_readings(goal("(exists (?t - Table) (at-end (count = 2 (?a - (Mug :where (dirty ?a))) (on ?a ?t))))")),
+      IsEmpty());
+}
+
+TEST(HastyReadings, AreOfOrdersOfWhatStaysAndOfCounts) {
+  EXPECT_EQ(hasty_readings(goal(kOrdered)).size(), 1U);
+  EXPECT_EQ(hasty_readings(goal(kAllBefore)).size(), 1U);
+  EXPECT_EQ(hasty_readings(goal(kAtMost)).size(), 2U);
+  const auto exactly = hasty_readings(goal(kExactly));
+  ASSERT_EQ(exactly.size(), 2U);
+  EXPECT_FALSE(exactly[0].takes_more);
+  EXPECT_TRUE(exactly[1].takes_more);
+  const auto stays =
+      hasty_readings(goal("(exists (?a - (Mug :where (dirty ?a))) (and (at-end (held ?a)) (always (clean ?a))))"));
+  ASSERT_EQ(stays.size(), 2U);
+  EXPECT_TRUE(stays[1].takes_more);
+  EXPECT_EQ(stays[1].goal, without_references(stays[0].goal));
+  EXPECT_THAT(hasty_readings(goal("(exists (?a - Mug) (not (always (clean ?a))))")), IsEmpty());
+  EXPECT_THAT(hasty_readings(goal("(exists (?a - Mug) (at-end (held ?a)))")), IsEmpty());
 }
 
 TEST(WithAnOrderReversed, TheSecondPartComesFirst) {

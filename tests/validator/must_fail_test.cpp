@@ -27,13 +27,12 @@ class AlteredPlans : public ::testing::TestWithParam<Mode> {
       if (step.action.type != ActionType::Stop) plan.push_back(step.action);
     return plan;
   }
-  /// Which steps of a plan only serve to see something; in M1 none does.
-  std::vector<bool> search_in(const std::string& text, const std::vector<Action>& plan) const {
-    if (GetParam() == Mode::M1) return {};
-    return search_steps(goal(text), *World::create(start_, knowledge_, profile_), TraceMaker(start_, false, false),
-                        plan);
+  /// Which steps of a plan only serve to see something, or to tidy up.
+  StepMarks search_in(const std::string& text, const std::vector<Action>& plan) const {
+    return marks_of(goal(text), *World::create(start_, knowledge_, profile_), GetParam(),
+                    TraceMaker(start_, false, false), plan);
   }
-  MustFail altered(const std::string& text, const std::vector<Action>& plan, const std::vector<bool>& search) const {
+  MustFail altered(const std::string& text, const std::vector<Action>& plan, const StepMarks& search) const {
     const auto world = World::create(start_, knowledge_, profile_);
     return must_fail(goal(text), *world, GetParam(), TraceMaker(start_, false, false), plan, search, "M.jsonl:1");
   }
@@ -50,7 +49,8 @@ TEST_P(AlteredPlans, FailWhereEveryStepIsNeeded) {
   const auto search = search_in(kCooled, plan);
   const auto found = altered(kCooled, plan, search);
   EXPECT_THAT(found.problems, IsEmpty());
-  EXPECT_GE(found.plans.size() + static_cast<std::size_t>(std::count(search.begin(), search.end(), true)), plan.size());
+  const auto count = [](const std::vector<bool>& marks) { return std::count(marks.begin(), marks.end(), true); };
+  EXPECT_GE(found.plans.size() + static_cast<std::size_t>(count(search.search) + count(search.tidying)), plan.size());
   for (const AlteredPlan& one : found.plans) {
     EXPECT_FALSE(one.reaches_goal);
     EXPECT_EQ(one.commands.back().action, "stop");
@@ -72,6 +72,22 @@ TEST_P(AlteredPlans, GiveAwayAStepThatIsNotNeeded) {
   ASSERT_FALSE(found.problems.empty());
   EXPECT_EQ(found.problems.back().kind, ProblemKind::NeedlessStep);
   EXPECT_THAT(found.problems.back().error.message, HasSubstr("turn_left"));
+}
+
+TEST_P(AlteredPlans, HaveTheTemptingPlanWhereItCanBeSaid) {
+  const World world = *World::create(start_, knowledge_, profile_);
+  const TraceMaker traces(start_, false, false);
+  std::vector<Command> commands;
+  for (const Action& action : plan_for(kCooled)) commands.push_back(by_ids(action));
+  const auto run = run_tempting(goal(kCooled), world, Mode::M1, traces, commands);
+  if (GetParam() == Mode::M1) {
+    ASSERT_TRUE(run);
+    EXPECT_EQ(run->change, PlanChange::Tempting);
+    EXPECT_TRUE(run->reaches_goal);
+    EXPECT_EQ(run->commands.size(), commands.size());
+  }
+  commands.push_back({"pick_up", {{"nothing_1", {}}}});
+  EXPECT_FALSE(run_tempting(goal(kCooled), world, GetParam(), traces, commands));
 }
 
 /// In M2 and M3 what a plan names in another order was not seen or is not in view then, so that it fails all the same.

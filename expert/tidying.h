@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "expert/demonstration.h"
+#include "expert/execution_tree.h"
+#include "simulation/mode_rules.h"
+
+namespace unietp {
+
+/// A plan in which what it opens is closed again: each thing that was not open at the start and would be open at the
+/// end is closed in as few steps as can be, and as soon as can be without anything else becoming impossible. Left open
+/// is what the goal needs open, and what could not be closed within the limits of the rules. `actions` ends with
+/// `stop`, which stays, and works; the first `done` stay as they are. `opened`: what was opened before the start of the
+/// tree, and so is to be closed too. Deterministic.
+std::vector<Action> tidied(ExecutionTree& executions, const ModeRules& rules, std::vector<Action> actions,
+                           std::size_t done = 0, const std::vector<std::string>& opened = {});
+
+/// Marks the steps that only close what the demonstration opened before: a `close` without which the rest, done by one
+/// who has been told where everything is, reaches the goal as well, and the steps right before it that only lead there.
+/// Each is left out alone.
+void mark_tidying(ExecutionTree& executions, Demonstration& demonstration);
+
+}  // namespace unietp

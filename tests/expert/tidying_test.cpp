@@ -1,0 +1,123 @@
+#include "expert/tidying.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "expert/mode_expert.h"
+#include "expert/rollout.h"
+#include "tests/expert/house.h"
+
+namespace unietp::testing {
+namespace {
+
+using ::testing::IsEmpty;
+
+struct Tidying : ::testing::TestWithParam<Mode> {
+  const Knowledge knowledge = house_knowledge();
+  const Profile profile = house_profile();
+  Scene start = house();
+  Formula wanted;
+
+  /// The demonstration of a goal about a mug that stands in the fridge.
+  Demonstration shown(const std::string& text) {
+    wanted = goal(text);
+    mug_in_fridge(start);
+    start = at_rest(start);
+    auto executions = *ExecutionTree::of(wanted, start, knowledge, profile);
+    auto in_m1 = demonstrate(executions, {});
+    EXPECT_TRUE(std::holds_alternative<Demonstration>(in_m1));
+    if (GetParam() == Mode::M1) return std::get<Demonstration>(in_m1);
+    auto other = demonstrate_in(GetParam(), executions, std::get<Demonstration>(in_m1));
+    EXPECT_TRUE(std::holds_alternative<Demonstration>(other));
+    return std::get<Demonstration>(other);
+  }
+
+  std::vector<std::string> closed_in(const Demonstration& demonstration) const {
+    std::vector<std::string> closed;
+    for (const DemonstrationStep& step : demonstration.steps) {
+      if (step.action.type != ActionType::Close) continue;
+      EXPECT_TRUE(step.tidying);
+      EXPECT_FALSE(step.search);
+      closed.push_back(step.action.args.front());
+    }
+    return closed;
+  }
+
+  /// What is open after a demonstration.
+  std::vector<std::string> open_after(const Demonstration& demonstration) const {
+    World world = *World::create(start, knowledge, profile);
+    for (const DemonstrationStep& step : demonstration.steps) EXPECT_TRUE(world.step(step.action).success);
+    std::vector<std::string> open;
+    for (const Node& node : world.nodes())
+      if (node.states.has(Predicate::Open)) open.push_back(node.id);
+    return open;
+  }
+};
+
+constexpr const char* kFromFridge =
+    "(exists (?a - (Mug :where (exists (?f - Fridge) (inside ?a ?f)))) (exists (?b - SideTable) (at-end (on ?a ?b))))";
+
+TEST_P(Tidying, WhatWasOpenedIsClosedAgain) {
+  const Demonstration demonstration = shown(kFromFridge);
+  EXPECT_THAT(open_after(demonstration), IsEmpty());
+  EXPECT_THAT(closed_in(demonstration), ::testing::Contains("fridge_1"));
+  EXPECT_THAT(needless_steps(wanted, start, demonstration, knowledge, profile), IsEmpty());
+}
+
+TEST_P(Tidying, TheGoalNeedsNoneOfItsSteps) {
+  const Demonstration demonstration = shown(kFromFridge);
+  auto executions = *ExecutionTree::of(wanted, start, knowledge, profile);
+  Rollout rollout(executions, rules_of(Mode::M1));
+  rollout.go_on(actions_for_the_goal(demonstration));
+  EXPECT_TRUE(rollout.reaches_goal());
+  EXPECT_LT(actions_for_the_goal(demonstration).size(), demonstration.steps.size());
+  EXPECT_LE(demonstration.shortest.size(), actions_for_the_goal(demonstration).size());
+}
+
+TEST_P(Tidying, WhatTheGoalWantsOpenStaysOpen) {
+  const Demonstration demonstration = shown(
+      "(exists (?f - Fridge) (exists (?a - (Mug :where (exists (?g - Fridge) (inside ?a ?g)))) (exists (?b - SideTable)"
+      " (at-end (and (open ?f) (on ?a ?b))))))");
+  EXPECT_THAT(open_after(demonstration), ::testing::Contains("fridge_1"));
+  EXPECT_THAT(closed_in(demonstration), IsEmpty());
+}
+
+TEST_P(Tidying, WhatWasOpenAtTheStartStaysOpen) {
+  set_state(start, "fridge_1", Predicate::Open);
+  const Demonstration demonstration = shown(kFromFridge);
+  EXPECT_THAT(closed_in(demonstration), IsEmpty());
+}
+
+TEST_P(Tidying, IsLeftOutWhereNoStepsAreLeft) {
+  const Demonstration demonstration = shown(kFromFridge);
+  auto executions = *ExecutionTree::of(wanted, start, knowledge, profile);
+  const std::vector<Action> needed = actions_for_the_goal(demonstration);
+  ModeRules rules = rules_of(GetParam());
+  EXPECT_GT(tidied(executions, rules, needed).size(), needed.size());
+  rules.limits.steps = static_cast<int>(needed.size());
+  EXPECT_EQ(tidied(executions, rules, needed), needed);
+}
+
+INSTANTIATE_TEST_SUITE_P(Modes, Tidying, ::testing::Values(Mode::M1, Mode::M2, Mode::M3),
+                         [](const auto& param) { return std::string(name_of(param.param)); });
+
+TEST(TidyingOfAPlan, ComesAsSoonAsNothingIsNeededFromInside) {
+  const Knowledge knowledge = house_knowledge();
+  const Profile profile = house_profile();
+  Scene start = house();
+  mug_in_fridge(start);
+  start = at_rest(start);
+  const Formula wanted = goal(kFromFridge);
+  auto shown = demonstrate(wanted, start, knowledge, profile, {});
+  ASSERT_TRUE(std::holds_alternative<Demonstration>(shown));
+  const auto& steps = std::get<Demonstration>(shown).steps;
+  const auto taken = std::find_if(steps.begin(), steps.end(),
+                                  [](const DemonstrationStep& step) { return step.action.type == ActionType::PickUp; });
+  ASSERT_NE(taken, steps.end());
+  EXPECT_EQ((taken + 1)->action, (Action{ActionType::Close, {"fridge_1"}}));
+}
+
+}  // namespace
+}  // namespace unietp::testing
