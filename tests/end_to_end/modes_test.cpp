@@ -92,13 +92,13 @@ TEST(Modes, FewCandidatesAreGivenUpForThem) {
   int in_m2 = 0, in_m3 = 0;
   for (const auto& rejection : json_lines(in_all_modes() / "rejections.jsonl")) {
     in_m2 += rejection["reason"] == "not-in-m2" ? 1 : 0;  // mostly what was not found within 50 steps
-    in_m3 += rejection["reason"] == "not-in-m3" ? 1 : 0;
+    in_m3 += rejection["reason"] == "not-in-m3" ? 1 : 0;  // of those that M2 can show
   }
   EXPECT_LE(in_m2, kCount / 4);
-  EXPECT_LE(in_m3, 1);
+  EXPECT_LE(in_m3, kCount / 2);  // one in seven of a benchmark, three of these
 }
 
-TEST(Modes, SomeDemonstrationsOfM2SearchAndNoneOfM1) {
+TEST(Modes, SomeDemonstrationsOfM2AndMostOfM3SearchAndNoneOfM1) {
   const auto searching = [](const std::string& mode) {
     int count = 0;
     for (const auto& line : json_lines(in_all_modes() / file_of(mode))) {
@@ -108,6 +108,7 @@ TEST(Modes, SomeDemonstrationsOfM2SearchAndNoneOfM1) {
     return count;
   };
   EXPECT_GT(searching("M2"), kCount / 4);
+  EXPECT_GT(searching("M3"), kCount / 2);
   EXPECT_EQ(searching("M1"), 0);
 }
 
