@@ -25,7 +25,9 @@ std::vector<bool> tidying_steps(const Formula& goal, const World& start, const T
 /// Which steps of a demonstration the goal does not need. None has both marks; steps after the end of a list have none.
 struct StepMarks {
   std::vector<bool> search, tidying;
+  /// Of a step, counted from 0.
   bool is_search(std::size_t step) const { return step < search.size() && search[step]; }
+  /// As is_search.
   bool is_tidying(std::size_t step) const { return step < tidying.size() && tidying[step]; }
 };
 /// Of a plan in a mode, in which only M2 and M3 have search.
