@@ -2,6 +2,9 @@
 
     unietp evaluate out/mine --backend virtualhome --policy replay --out out/there
 
+When a thing is grabbed, VirtualHome forgets what is on it or in it, and when the agent walks, what is in the thing in its
+hand. So what was there is taken with the other hand and put there again, after the thing is grabbed and after it is put down.
+
 `Episode` is the same for programs in Python; acting.py describes the protocol.
 """
 
@@ -46,6 +49,17 @@ def load_simulator() -> Any:
     )
 
 
+def _places_of(thing: int, below: dict[int, list[tuple[str, int]]]) -> list[tuple[str, int]]:
+    """What a thing is on or in; also what those are in, which a graph need not say."""
+    places = list(below.get(thing, []))
+    reached = list(places)
+    for _, place in reached:
+        further = [one for one in below.get(place, []) if one not in reached]
+        reached += further
+        places += [one for one in further if one[0] == "inside"]
+    return places
+
+
 def facts_of(graph: Json, ids: dict[int, str], rooms: dict[int, str]) -> Facts:
     """What a graph says, in our words. `ids`, `rooms`: ours, by the numbers of their nodes."""
     kind = {node["id"]: node["category"] for node in graph["nodes"]}
@@ -69,7 +83,7 @@ def facts_of(graph: Json, ids: dict[int, str], rooms: dict[int, str]) -> Facts:
         if node["id"] in ids
     }
     for thing, name in ids.items():
-        for relation, place in below.get(thing, []) if thing not in held else []:
+        for relation, place in _places_of(thing, below) if thing not in held else []:
             if place in ids:
                 facts.edges.add((relation, name, ids[place]))
             elif room_of.get(place) in rooms:
@@ -106,6 +120,7 @@ class Episode:
         self.state = self.simulator.State(self.simulator.Graph(graph), {}, instance_selection=True)
         self.facts = facts_of(self.state.to_dict(), self.ids, self.rooms)
         self.walked_to = ""  # the last that the agent walked to
+        self.carried: dict[str, list[tuple[str, str]]] = {}  # what was on or in each thing when the last was picked up
 
     def act(self, action: str, args: list[str], ours: Json) -> Json:
         """Executes an action; a walk to its object and the plug of a device come before it, as in exported programs."""
@@ -121,8 +136,9 @@ class Episode:
                 self.state = before
                 return self._answer(False, executor.info.get_error_string().strip() or f"{line} cannot be executed")
             self.state = state
-        if any(line.startswith("[Walk]") for line in lines):
-            self.walked_to = args[-1]
+        walks = [line for line in lines if line.startswith("[Walk]")]
+        if walks:
+            self.walked_to = self._object_of(walks[-1])
         return self._answer(True, "")
 
     def _lines(self, action: str, args: list[str]) -> list[str]:
@@ -133,7 +149,38 @@ class Episode:
         if action == "turn_on" and "unplugged" in self.facts.states.get(target, []):
             lines.append(self._line("PlugIn", [target]))
         held = self.facts.held[:1] if action in ("place_on", "place_in") else []
-        return [*lines, self._line(WORDS[action], [*held, *args])]
+        lines.append(self._line(WORDS[action], [*held, *args]))
+        if action == "pick_up":
+            self.carried = {name: self._load_of(name) for name in self.facts.states}
+            lines += self._load_again(target, self.carried.get(target, []), in_hand=True)
+        elif held:
+            inside = [one for one in self.carried.get(held[0], []) if one[0] == "inside"]
+            lines += self._load_again(held[0], inside, in_hand=False)
+        return lines
+
+    def _load_of(self, thing: str) -> list[tuple[str, str]]:
+        """What is on or in a thing, without what is so only by something else that is: (relation, id)."""
+        over = sorted((one, relation) for relation, one, place in self.facts.edges if place == thing and relation in ("on", "inside"))
+        names = {one for one, _ in over}
+        indirect = {one for relation, one, place in self.facts.edges if relation in ("on", "inside") and place in names}
+        return [(relation, one) for one, relation in over if one not in indirect]
+
+    def _load_again(self, thing: str, load: list[tuple[str, str]], in_hand: bool) -> list[str]:
+        """Lines that put what was on or in a thing there again, and what was on or in that."""
+        shut = any(relation == "inside" for relation, _ in load) and "closed" in self.facts.states.get(thing, [])
+        lines = [self._line("Open", [thing])] if shut else []
+        for relation, one in load:
+            lines += [self._line("Walk", [one]), self._line("Grab", [one])]
+            if not in_hand:
+                lines.append(self._line("Walk", [thing]))
+            lines.append(self._line("PutBack" if relation == "on" else "PutIn", [one, thing]))
+            lines += self._load_again(one, self.carried.get(one, []), in_hand=False)
+        return [*lines, self._line("Close", [thing])] if shut else lines
+
+    def _object_of(self, line: str) -> str:
+        """Our id of the last object or room that a line names."""
+        number = int(line[line.rindex("(") + 1 : line.rindex(")")])
+        return self.ids.get(number) or self.rooms[number]
 
     def _line(self, word: str, objects: list[str]) -> str:
         parts = [self.names.get(one) or self.room_names[one] for one in objects]

@@ -17,9 +17,9 @@ ROOMS = ["hall_1", "kitchen_1"]  # in another order than by name
 IDS = {"mug_1": "mug_20", "apple_1": "apple_21", "plate_1": "plate_22", "table_1": "table_10", "fridge_1": "fridge_11"}
 
 
-def node(number, name, category="Props", states=()):
+def node(number, name, category="Props", states=(), properties=()):
     return {
-        "id": number, "class_name": name, "category": category, "properties": [], "states": list(states),
+        "id": number, "class_name": name, "category": category, "properties": list(properties), "states": list(states),
         "prefab_name": "", "bounding_box": None,
     }
 
@@ -118,6 +118,39 @@ def test_actions_become_lines_with_a_walk_and_a_plug_where_they_are_needed(folde
     ]
 
 
+def test_what_lay_on_a_thing_is_put_there_again_after_the_grab(folder):
+    episode = runner.Episode(folder, "task", ROOMS, SIMULATOR)
+    assert episode.act("pick_up", ["plate_1"], {})["success"]
+    assert episode.state.lines == [
+        "[Walk] <plate> (22)", "[Grab] <plate> (22)", "[Walk] <apple> (21)", "[Grab] <apple> (21)", "[PutBack] <apple> (21) <plate> (22)",
+    ]
+    assert episode.walked_to == "apple_1"
+
+
+def test_what_is_inside_is_put_there_once_more_after_the_walk(folder):
+    graph = copy.deepcopy(GRAPH)
+    for one in graph["edges"]:
+        if (one["from_id"], one["to_id"]) == (21, 22):
+            one["relation_type"] = "INSIDE"
+    (folder / "task.json").write_text(json.dumps(graph))
+    episode = runner.Episode(folder, "task", ROOMS, SIMULATOR)
+    episode.act("pick_up", ["plate_1"], {})
+    episode.facts.held = ["plate_1"]
+    before = len(episode.state.lines)
+    episode.act("place_on", ["table_1"], {})
+    assert episode.state.lines[before:] == [
+        "[Walk] <table> (10)", "[PutBack] <plate> (22) <table> (10)", "[Walk] <apple> (21)", "[Grab] <apple> (21)",
+        "[Walk] <plate> (22)", "[PutIn] <apple> (21) <plate> (22)",
+    ]
+
+
+def test_what_lies_on_a_plate_in_a_fridge_is_in_the_fridge():
+    graph = copy.deepcopy(GRAPH)
+    next(one for one in graph["edges"] if one["from_id"] == 22 and one["to_id"] == 10).update(relation_type="INSIDE", to_id=11)
+    inside = {edge for edge in facts(graph).edges if edge[0] == "inside"}
+    assert inside == {("inside", "plate_1", "fridge_1"), ("inside", "apple_1", "fridge_1")}
+
+
 def test_what_the_simulator_refuses_changes_nothing(folder):
     episode = runner.Episode(folder, "task", ROOMS, SIMULATOR)
     answer = episode.act("open", ["fridge_1"], {})
@@ -160,3 +193,20 @@ def test_the_package_itself_executes_them(folder):
     assert episode.act("pick_up", ["mug_1"], {})["held"] == ["mug_1"]
     answer = episode.act("place_on", ["table_1"], {})
     assert answer["success"] and answer["held"] == [] and ["on", "mug_1", "table_1"] in [list(one) for one in answer["edges_added"]]
+
+
+def test_the_package_itself_carries_what_lies_on_a_plate(folder):
+    if importlib.util.find_spec("virtualhome") is None:
+        pytest.skip("virtualhome is not installed")
+    graph = copy.deepcopy(GRAPH)
+    for one in graph["nodes"]:
+        one["properties"] = {"mug": ["GRABBABLE"], "apple": ["GRABBABLE"], "plate": ["GRABBABLE"]}.get(one["class_name"], ["SURFACES"])
+    graph["nodes"].append(node(12, "desk", "Furniture", properties=["SURFACES"]))
+    graph["edges"] += [edge(12, "INSIDE", 2), edge(12, "ON", 3)]
+    (folder / "task.json").write_text(json.dumps(graph))
+    (folder / "task.names.json").write_text(json.dumps(IDS | {"desk_1": "desk_12"}))
+    episode = runner.Episode(folder, "task", ROOMS)
+    for action, target in (("pick_up", "plate_1"), ("go_to", "desk_1"), ("place_on", "desk_1")):
+        assert episode.act(action, [target], {})["success"], action
+        assert ("on", "apple_1", "plate_1") in episode.facts.edges, action
+    assert ("on", "plate_1", "desk_1") in episode.facts.edges
