@@ -77,12 +77,13 @@ class Programmer {
     if (type == ActionType::TurnOn || type == ActionType::PlugIn) unplugged_.erase(objects.front());
     if (type == ActionType::Unplug) unplugged_.insert(objects.front());
     if (auto acted = line(known->word, objects); !acted) return acted;
-    if (type == ActionType::PickUp) return load_again(objects.front(), load_of(objects.front()), true);
+    std::set<std::string> again;
+    if (type == ActionType::PickUp) return load_again(objects.front(), load_of(objects.front()), true, again);
     if (known->held_first && objects.size() > 1) {
       // A walk makes the graph forget what is in the thing in the hand, and nothing of what is on it.
       Load inside = load_of(objects.front());
       std::erase_if(inside, [](const Edge& edge) { return edge.relation != Predicate::Inside; });
-      return load_again(objects.front(), inside, false);
+      return load_again(objects.front(), inside, false, again);
     }
     return Done{};
   }
@@ -105,25 +106,26 @@ class Programmer {
   }
 
   /// The lines that take up what was on or in a thing when it was grabbed, and put it there again: `Grab` forgets it,
-  /// and what is on or in that in turn.
-  Result<Done> load_again(const std::string& thing, const Load& load, bool in_hand) {
+  /// and what is on or in that in turn. `again`: things that have their lines; in a home two may rest on each other.
+  Result<Done> load_again(const std::string& thing, const Load& load, bool in_hand, std::set<std::string>& again) {
     const Node* const node = find_node(now_, thing);
     const bool shut =
         node != nullptr && node->states.has(Predicate::Closed) &&
         std::any_of(load.begin(), load.end(), [](const Edge& edge) { return edge.relation == Predicate::Inside; });
-    std::vector<std::pair<std::string_view, Words>> lines;
-    if (shut) lines.emplace_back("Open", Words{thing});
+    if (shut) {
+      if (auto opened = line("Open", {thing}); !opened) return opened;
+    }
+    again.insert(thing);
     for (const Edge& edge : load) {
-      lines.emplace_back("Walk", Words{edge.from});
-      lines.emplace_back("Grab", Words{edge.from});
+      if (!again.insert(edge.from).second) continue;
+      std::vector<std::pair<std::string_view, Words>> lines{{"Walk", {edge.from}}, {"Grab", {edge.from}}};
       if (!in_hand) lines.emplace_back("Walk", Words{thing});
       lines.emplace_back(edge.relation == Predicate::On ? "PutBack" : "PutIn", Words{edge.from, thing});
-      walked_to_ = in_hand ? edge.from : thing;
-    }
-    for (const auto& [word, objects] : lines) {
-      if (auto written = line(word, objects); !written) return written;
-      if (word != "PutBack" && word != "PutIn") continue;
-      if (auto again = load_again(objects.front(), load_of(objects.front()), false); !again) return again;
+      for (const auto& [word, objects] : lines) {
+        if (auto written = line(word, objects); !written) return written;
+        if (word == "Walk") walked_to_ = objects.front();
+      }
+      if (auto more = load_again(edge.from, load_of(edge.from), false, again); !more) return more;
     }
     return shut ? line("Close", {thing}) : Done{};
   }

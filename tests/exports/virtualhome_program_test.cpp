@@ -106,6 +106,21 @@ TEST(VirtualhomeProgram, PutsWhatIsInsideThereOnceMoreAfterTheWalkAndOpensWhatIs
   EXPECT_EQ(*lines, expected);
 }
 
+TEST(VirtualhomeProgram, ThingsThatRestOnEachOtherHaveTheirLinesOnce) {
+  Scene start;
+  start.nodes = {thing("tray_1", Predicate::Clean), thing("mug_2", Predicate::Clean), thing("cup_3", Predicate::Clean)};
+  start.edges = {
+      {Predicate::On, "mug_2", "tray_1"}, {Predicate::On, "cup_3", "mug_2"}, {Predicate::On, "mug_2", "cup_3"}};
+  DemonstrationRecord demonstration;
+  demonstration.steps = {step("go_to", {"tray_1"}), holding(step("pick_up", {"tray_1"}), {"tray_1"})};
+  const auto lines =
+      virtualhome_program(demonstration, start, {{"tray_1", "tray_1"}, {"mug_2", "mug_2"}, {"cup_3", "cup_3"}});
+  ASSERT_TRUE(lines) << format(lines.error());
+  EXPECT_THAT(*lines, ElementsAre("[Walk] <tray> (1)", "[Grab] <tray> (1)", "[Walk] <mug> (2)", "[Grab] <mug> (2)",
+                                  "[PutBack] <mug> (2) <tray> (1)", "[Walk] <cup> (3)", "[Grab] <cup> (3)",
+                                  "[Walk] <mug> (2)", "[PutBack] <cup> (3) <mug> (2)"));
+}
+
 TEST(VirtualhomeProgram, LeavesOutStepsThatFailed) {
   const auto lines = program({step("open", {"fridge_4"}, false), step("close", {"fridge_4"})});
   ASSERT_TRUE(lines) << format(lines.error());
