@@ -47,7 +47,7 @@ Result<std::string> write_expressed(const ExportRequest& request, const Result<E
 Result<NativeCheck> native_check(const ExportRequest& request) {
   std::array<ExpressTask, kSimulators.size()> forms;  // Habitat's expresses every task
   const std::array makers{std::pair{Simulator::Ai2thor, &express_ai2thor},
-                          std::pair{Simulator::Virtualhome, &express_virtualhome},
+                          std::pair{Simulator::Virtualhome, &express_virtualhome_unity},
                           std::pair{Simulator::Behavior, &express_behavior}};
   for (const auto& [simulator, maker] : makers) {
     auto form = maker(request);
