@@ -45,7 +45,7 @@ Result<std::string> write_expressed(const ExportRequest& request, const Result<E
 }
 
 Result<NativeCheck> native_check(const ExportRequest& request) {
-  std::array<ExpressTask, kSimulators.size()> forms;  // Habitat's expresses every task
+  std::array<ExpressTask, kSimulators.size()> forms;  // but Habitat's, which is written for all tasks together
   const std::array makers{std::pair{Simulator::Ai2thor, &express_ai2thor},
                           std::pair{Simulator::Virtualhome, &express_virtualhome_unity},
                           std::pair{Simulator::Behavior, &express_behavior}};
@@ -59,7 +59,7 @@ Result<NativeCheck> native_check(const ExportRequest& request) {
     if (const Node* const node = unknown_to_simulator(task, knowledge))
       return node->id + ": the simulator has no model of " + node->category;
     const ExpressTask& express = forms[static_cast<std::size_t>(task.start.simulator)];
-    if (!express) return std::string();
+    if (!express) return refused_by_habitat(task);
     auto expressed = express(task);
     if (!expressed) return expressed.error();
     return std::move(expressed->refused);

@@ -26,6 +26,9 @@ Result<ExpressTask> express_virtualhome(const ExportRequest& request);
 Result<ExpressTask> express_virtualhome_unity(const ExportRequest& request);
 Result<ExpressTask> express_behavior(const ExportRequest& request);
 
+/// Why Habitat's form does not express a task of Habitat; "" when it does.
+std::string refused_by_habitat(const FinishedTask& task);
+
 /// Writes each task of a data set that is expressed, and left_out.jsonl. Errors: as write_task_folder.
 Result<std::string> write_expressed(const ExportRequest& request, const Result<ExpressTask>& express);
 

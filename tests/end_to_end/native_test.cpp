@@ -133,6 +133,8 @@ TEST(Native, ModelsThatAreNamedByHashesNeedTheirTable) {
     own += end != std::string::npos && table.contains(id.substr(0, end)) ? 1 : 0;
   }
   EXPECT_GT(own, 0) << "objects have Habitat's handles";
+  ASSERT_EQ(run_program({"export", folder.at("tasks"), "--format", "habitat", "--out", folder.at("out")}).code, 0);
+  EXPECT_EQ(read_file(folder.at("out") + "/left_out.jsonl").value(), "");
   const auto alone = run_program({"generate", "--assets", models, "--count", "1", "--out", folder.at("alone")});
   EXPECT_EQ(alone.code, 2);
   EXPECT_THAT(alone.err, HasSubstr("is for --native"));
