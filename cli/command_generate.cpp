@@ -20,6 +20,7 @@ struct GenerateOptions : RunCommand {
   std::vector<std::string> binding;
   bool count_given = false;
   std::vector<std::filesystem::path> scenes;
+  std::filesystem::path assets;
 };
 
 std::vector<Simulator> simulators_of(const std::vector<Scene>& scenes) {
@@ -49,13 +50,16 @@ Exit generate(GenerateOptions& options, const CommandLine& program) {
   }
   if (options.configuration.native && options.scenes.empty())
     return refuse({Error::Kind::Usage, "--native", {}, "needs --scenes, the simulators' own scenes"});
+  if (!options.assets.empty() && !options.configuration.native)
+    return refuse({Error::Kind::Usage, "--assets", {}, "is for --native, whose --scenes takes the simulators' files"});
   auto reading = load_resources(program.folders);
   if (!reading.errors.empty()) return refuse(reading.errors);
   options.configuration.extended = program.folders.extended_library;
   options.configuration.own = reading.resources.own;
   if (!options.scenes.empty()) {
-    auto given = options.configuration.native ? native_homes(options.scenes, reading.resources, program.folders)
-                                              : given_homes(options.scenes, reading.resources, program.folders);
+    auto given = options.configuration.native
+                     ? native_homes(options.scenes, options.assets, reading.resources, program.folders)
+                     : given_homes(options.scenes, reading.resources, program.folders);
     if (!given.errors.empty()) return refuse(given.errors);
     if (options.simulators.empty()) options.configuration.simulators = simulators_of(given.scenes);
     options.configuration.scenes = std::move(given.names);
@@ -138,6 +142,9 @@ void add_generate_command(CommandParser& app, CommandLine& program) {
   command->add_flag("--native", configuration.native,
                     "Only tasks that can be done in the simulator itself, in scenes of its own: --scenes takes the "
                     "simulators' files, too");
+  command->add_option(
+      "--assets", options->assets,
+      "With --native: categories and sizes of models that scenes only name, as `scene import` takes them");
   add_run_options(*command, *options, program);
   command->callback([options, count, &program] {
     options->count_given = count->given();

@@ -153,12 +153,12 @@ void add_selection_options(CommandParser& command, EvaluateChoice& choice) {
       ->suggests(split_names());
   add_simulators_option(command, choice.simulators, "Only tasks of these simulators");
   command
-      .add_option(
-          "--backend", choice.backend,
-          "Where actions are done and goals judged: unietp, or, with the Python package of that name, virtualhome (its "
-          "graph simulator) or ai2thor (docs/native.md)")
+      .add_option("--backend", choice.backend,
+                  "Where actions are done and goals judged: unietp, or, with the Python packages of that simulator, "
+                  "virtualhome "
+                  "(its graph simulator), ai2thor, behavior or habitat (docs/native.md)")
       ->type_name("NAME")
-      ->suggests({"unietp", "virtualhome"})
+      ->suggests({"unietp", "virtualhome", "ai2thor", "behavior", "habitat"})
       ->shows_default();
   command.add_option("--tasks", choice.tasks, "Only these tasks, by their ids")->type_name("ID,...");
   command.add_option("--limit", choice.limit, "At most so many tasks, the first ones")->within(1, limits::kTasks);

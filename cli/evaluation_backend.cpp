@@ -48,8 +48,14 @@ bool is_translated(const Formula& goal, const std::string& backend) {
   return std::all_of(asked.begin(), asked.end(), [&](Predicate one) {
     if (has(kTranslated, one)) return true;
     if (backend == "ai2thor") return thor_state(one) != nullptr;
+    if (backend == "habitat") return false;  // which has no other states
     return backend == "behavior" ? has(kTranslatedToBehavior, one) : has(kTranslatedToVirtualhome, one);
   });
+}
+
+/// A file that the form has for each task that it expresses.
+fs::path file_of_task(const std::string& backend, const std::string& id) {
+  return backend == "habitat" ? fs::path("scenes") / (id + ".scene_instance.json") : fs::path(id + ".json");
 }
 
 Result<fs::path> scratch_folder() {
@@ -126,7 +132,7 @@ Result<BackendTasks> backend_tasks(const std::string& backend, const fs::path& d
     if (!kept.empty() && kept.back() == id) continue;
     const auto task = tasks.task(planned.position);
     if (!task) return task.error();
-    const bool expressed = fs::exists(*folder / kTasks / (id + ".json"));
+    const bool expressed = fs::exists(*folder / kTasks / file_of_task(backend, id));
     if (expressed && is_translated((*task)->goal, backend)) {
       kept.push_back(id);
     } else {

@@ -165,7 +165,7 @@ SharedSimulator simulator_program(SimulatorProgramOptions options) {
 }
 
 const std::vector<std::string>& simulator_backends() {
-  static const std::vector<std::string> kNames{"virtualhome", "ai2thor", "behavior"};
+  static const std::vector<std::string> kNames{"virtualhome", "ai2thor", "behavior", "habitat"};
   return kNames;
 }
 

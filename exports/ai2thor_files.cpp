@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
+#include <string_view>
 
 #include <nlohmann/json.hpp>
 
@@ -10,6 +12,7 @@
 #include "exports/ai2thor_words.h"
 #include "exports/express.h"
 #include "interchange/formats.h"
+#include "interchange/own_ids.h"
 #include "scene/trace.h"
 
 namespace unietp {
@@ -68,6 +71,10 @@ Result<ThorHouse> write_house(const FinishedTask& task, const Knowledge& knowled
     stands.pose.position.z() += (whole->size.z() - node.size.z()) / 2;
     stands.size = whole->size;
   }
+  for (const Node& node : start.nodes) {  // an object of ours may have another model, which can do what it has to
+    if (facts.model_lacks.contains(node.asset) && !own_id_of(node, Simulator::Ai2thor))
+      edit_node(scene, node.id)->asset.clear();
+  }
   auto written = write_procthor(scene, knowledge, facts);
   if (!written) return written.error();
   ThorHouse house{std::move(*written), {}};
@@ -86,6 +93,31 @@ std::string reason_for(const std::string& id, const ExportedScene& house) {
     if (line.starts_with(id + ": ")) return line.substr(id.size() + 2);
   }
   return "it is not in the house";
+}
+
+/// What an action needs of the object that it names, in words for people.
+struct ThorNeed {
+  std::string_view action, affordance, words;
+};
+constexpr std::array kThorNeeds{
+    ThorNeed{"pick_up", "pickupable", "cannot be picked up"}, ThorNeed{"place_on", "receptacle", "holds nothing"},
+    ThorNeed{"place_in", "container", "holds nothing"},       ThorNeed{"open", "openable", "does not open"},
+    ThorNeed{"close", "openable", "does not open"},           ThorNeed{"turn_on", "switchable", "has no switch"},
+    ThorNeed{"turn_off", "switchable", "has no switch"},      ThorNeed{"slice", "sliceable", "cannot be sliced"}};
+
+/// Why a step cannot be done with the models of a house; "" when all can.
+std::string denied_by_models(const DemonstrationRecord& shown, const ExportedScene& house, const FormatFacts& facts) {
+  for (const StepRecord& step : shown.steps) {
+    for (const ThorNeed& need : kThorNeeds) {
+      if (step.command.action != need.action || !step.success) continue;
+      const auto model = house.models.find(step.command.args.front().id);
+      if (model == house.models.end()) continue;
+      const auto lacks = facts.model_lacks.find(model->second);
+      if (lacks != facts.model_lacks.end() && lacks->second.contains(std::string(need.affordance)))
+        return model->second + " " + std::string(need.words) + ", says ProcTHOR's database";
+    }
+  }
+  return "";
 }
 
 /// The task without the objects that are not in the house.
@@ -137,7 +169,8 @@ Json rooms_of(const Scene& start) {
 }
 
 /// A task as the runner reads it, and its house. Errors: Unsatisfiable, for what AI2-THOR cannot express.
-Result<Json> task_json(const FinishedTask& task, ThorHouse& made, const Knowledge& knowledge) {
+Result<Json> task_json(const FinishedTask& task, ThorHouse& made, const Knowledge& knowledge,
+                       const FormatFacts& facts) {
   ExportedScene& house = made.written;
   ThorNames names = house.names;
   std::set<std::string> used = handled(task);
@@ -147,6 +180,8 @@ Result<Json> task_json(const FinishedTask& task, ThorHouse& made, const Knowledg
       return Error{Error::Kind::Unsatisfiable, "", {}, node->category + ": " + reason_for(id, house)};
     }
   }
+  if (std::string denied = denied_by_models(task.shown.at(Mode::M1), house, facts); !denied.empty())
+    return Error{Error::Kind::Unsatisfiable, "", {}, std::move(denied)};
   const FinishedTask theirs = in_house(task, names);
   const DemonstrationRecord& shown = theirs.shown.at(Mode::M1);
   auto plan = thor_plan(shown, theirs.start, names);
@@ -204,7 +239,7 @@ Result<ExpressTask> express_ai2thor(const ExportRequest& request) {
     const Knowledge& knowledge = *backend_of(request.backends, task.start).knowledge;
     auto house = write_house(task, knowledge, facts);
     if (!house) return house.error();
-    const auto json = task_json(task, *house, knowledge);
+    const auto json = task_json(task, *house, knowledge, facts);
     if (!json) return ExpressedTask{{}, json.error().message};
     const std::string& id = task.record.id;
     std::string text = json->dump(1, ' ', false, Json::error_handler_t::replace) + "\n";

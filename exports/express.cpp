@@ -25,20 +25,6 @@ const Node* unknown_to_simulator(const FinishedTask& task, const Knowledge& know
   return nullptr;
 }
 
-/// A thing that is picked up while others rest on or in it, which VirtualHome's graph forgets; "" when there is none.
-std::string carries_others(const FinishedTask& task) {
-  Scene now = task.start;
-  for (const StepRecord& step : task.shown.at(Mode::M1).steps) {
-    const std::string thing = step.command.action == "pick_up" ? step.command.args.front().id : "";
-    const bool loaded = std::any_of(now.edges.begin(), now.edges.end(), [&](const Edge& edge) {
-      return edge.to == thing && (edge.relation == Predicate::On || edge.relation == Predicate::Inside);
-    });
-    if (loaded) return thing;
-    now = apply(std::move(now), step.changes);
-  }
-  return "";
-}
-
 }  // namespace
 
 Result<std::string> write_expressed(const ExportRequest& request, const Result<ExpressTask>& express) {
@@ -59,9 +45,9 @@ Result<std::string> write_expressed(const ExportRequest& request, const Result<E
 }
 
 Result<NativeCheck> native_check(const ExportRequest& request) {
-  std::array<ExpressTask, kSimulators.size()> forms;  // Habitat's expresses every task
+  std::array<ExpressTask, kSimulators.size()> forms;  // but Habitat's, which is written for all tasks together
   const std::array makers{std::pair{Simulator::Ai2thor, &express_ai2thor},
-                          std::pair{Simulator::Virtualhome, &express_virtualhome},
+                          std::pair{Simulator::Virtualhome, &express_virtualhome_unity},
                           std::pair{Simulator::Behavior, &express_behavior}};
   for (const auto& [simulator, maker] : makers) {
     auto form = maker(request);
@@ -72,12 +58,8 @@ Result<NativeCheck> native_check(const ExportRequest& request) {
     const Knowledge& knowledge = *backend_of(request.backends, task.start).knowledge;
     if (const Node* const node = unknown_to_simulator(task, knowledge))
       return node->id + ": the simulator has no model of " + node->category;
-    if (task.start.simulator == Simulator::Virtualhome) {
-      if (const std::string thing = carries_others(task); !thing.empty())
-        return thing + ": VirtualHome forgets what rests on a thing that is picked up";
-    }
     const ExpressTask& express = forms[static_cast<std::size_t>(task.start.simulator)];
-    if (!express) return std::string();
+    if (!express) return refused_by_habitat(task);
     auto expressed = express(task);
     if (!expressed) return expressed.error();
     return std::move(expressed->refused);

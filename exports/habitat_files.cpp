@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <set>
 
 #include <nlohmann/json.hpp>
 
 #include "core/files.h"
+#include "exports/express.h"
 #include "exports/formats.h"
 #include "exports/habitat_episode.h"
 #include "exports/task_folder.h"
@@ -24,12 +26,9 @@ class HabitatFolder {
 
   Result<std::optional<std::string>> add(const FinishedTask& task, const fs::path& folder) {
     if (task.start.simulator != Simulator::Habitat) return std::optional<std::string>("not a task of Habitat");
-    for (const Node& node : task.start.nodes) {
-      const auto own = habitat_own_template(node);
-      with_own_ = with_own_ || own;
-      if (own && node.openable && node.opening > 0)
-        return std::optional(node.id + " is open at the start, and the joints of " + *own + " are not known");
-    }
+    if (std::string why = refused_by_habitat(task); !why.empty()) return std::optional(std::move(why));
+    with_own_ = with_own_ || std::any_of(task.start.nodes.begin(), task.start.nodes.end(),
+                                         [](const Node& node) { return habitat_own_template(node).has_value(); });
     // Habitat adds an episode's rigid objects to the scene of the furniture.
     Scene furniture = task.start;
     furniture.id = task.record.id;
@@ -79,6 +78,15 @@ Result<std::string> write_habitat_files(const ExportRequest& request) {
 }
 
 }  // namespace
+
+std::string refused_by_habitat(const FinishedTask& task) {
+  for (const Node& node : task.start.nodes) {
+    const auto own = habitat_own_template(node);
+    if (own && node.openable && node.opening > 0)
+      return node.id + " is open at the start, and the joints of " + *own + " are not known";
+  }
+  return "";
+}
 
 ExportFormat habitat_format() {
   return {"habitat",

@@ -16,26 +16,8 @@ Result<std::string> write_virtualhome_files(const ExportRequest& request) {
 }
 
 /// The same of the tasks whose programs Unity's table allows.
-Result<ExpressTask> express_virtualhome_in_unity(const ExportRequest& request) {
-  auto express = express_virtualhome(request);
-  if (!express) return express;
-  auto classes = read_unity_classes(request.data / "scene_files" / "virtualhome_unity.csv");
-  if (!classes) return classes.error();
-  return ExpressTask([express = std::move(*express),
-                      classes = std::move(*classes)](const FinishedTask& task) -> Result<ExpressedTask> {
-    auto made = express(task);
-    if (!made || !made->refused.empty()) return made;
-    for (const AssetFile& file : made->files) {
-      if (!file.path.ends_with(".txt")) continue;
-      if (auto denied = denied_by_unity(split(file.content, '\n'), classes); !denied.empty())
-        return ExpressedTask{{}, std::move(denied)};
-    }
-    return made;
-  });
-}
-
 Result<std::string> write_virtualhome_unity_files(const ExportRequest& request) {
-  return write_expressed(request, express_virtualhome_in_unity(request));
+  return write_expressed(request, express_virtualhome_unity(request));
 }
 
 }  // namespace
@@ -56,6 +38,24 @@ Result<ExpressTask> express_virtualhome(const ExportRequest& request) {
                            record.template_name + "\n" + record.instruction + "\n\n\n" + join(*program, "\n") + "\n"},
                           {record.id + ".names.json", names.dump(1) + "\n"}},
                          ""};
+  });
+}
+
+Result<ExpressTask> express_virtualhome_unity(const ExportRequest& request) {
+  auto express = express_virtualhome(request);
+  if (!express) return express;
+  auto classes = read_unity_classes(request.data / "scene_files" / "virtualhome_unity.csv");
+  if (!classes) return classes.error();
+  return ExpressTask([express = std::move(*express),
+                      classes = std::move(*classes)](const FinishedTask& task) -> Result<ExpressedTask> {
+    auto made = express(task);
+    if (!made || !made->refused.empty()) return made;
+    for (const AssetFile& file : made->files) {
+      if (!file.path.ends_with(".txt")) continue;
+      if (auto denied = denied_by_unity(split(file.content, '\n'), classes); !denied.empty())
+        return ExpressedTask{{}, std::move(denied)};
+    }
+    return made;
   });
 }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "scene/action.h"
+#include "scene/trace.h"
 
 namespace unietp {
 namespace {
@@ -36,8 +37,7 @@ Error not_expressed(std::string why) { return {Error::Kind::Unsatisfiable, "", {
 
 class Programmer {
  public:
-  Programmer(const Scene& start, const std::map<std::string, std::string>& names) : names_(names) {
-    held_ = start.agent.held;
+  Programmer(const Scene& start, const std::map<std::string, std::string>& names) : names_(names), now_(start) {
     for (const Node& node : start.nodes) {
       if (node.states.has(Predicate::Unplugged)) unplugged_.insert(node.id);
     }
@@ -48,18 +48,22 @@ class Programmer {
       const auto type = action_named(step.command.action);
       if (!step.success || type == ActionType::Stop) continue;
       if (auto added = add(step, type); !added) return added.error();
-      if (step.changes.agent) held_ = step.changes.agent->held;
+      now_ = apply(std::move(now_), step.changes);
     }
     return std::move(lines_);
   }
 
  private:
+  using Words = std::vector<std::string>;
+  /// What rests on or in a thing, as the edges that say so.
+  using Load = std::vector<Edge>;
+
   Result<Done> add(const StepRecord& step, std::optional<ActionType> type) {
     const auto* const known = std::find_if(kProgramActions.begin(), kProgramActions.end(),
                                            [&](const ProgramAction& action) { return action.type == type; });
     if (known == kProgramActions.end()) return not_expressed("VirtualHome has no action " + step.command.action);
     std::vector<std::string> objects;
-    if (known->held_first) objects.insert(objects.end(), held_.begin(), held_.end());
+    if (known->held_first) objects = now_.agent.held;
     for (const Argument& argument : step.command.args) objects.push_back(argument.id);
     if (type == ActionType::GoTo) {
       walked_to_ = objects.front();
@@ -72,10 +76,63 @@ class Programmer {
     }
     if (type == ActionType::TurnOn || type == ActionType::PlugIn) unplugged_.erase(objects.front());
     if (type == ActionType::Unplug) unplugged_.insert(objects.front());
-    return line(known->word, objects);
+    if (auto acted = line(known->word, objects); !acted) return acted;
+    std::set<std::string> again;
+    if (type == ActionType::PickUp) return load_again(objects.front(), load_of(objects.front()), true, again);
+    if (known->held_first && objects.size() > 1) {
+      // A walk makes the graph forget what is in the thing in the hand, and nothing of what is on it.
+      Load inside = load_of(objects.front());
+      std::erase_if(inside, [](const Edge& edge) { return edge.relation != Predicate::Inside; });
+      return load_again(objects.front(), inside, false, again);
+    }
+    return Done{};
   }
 
-  bool is_held(const std::string& object) const { return std::find(held_.begin(), held_.end(), object) != held_.end(); }
+  Load load_of(const std::string& thing) const {
+    Load load;
+    for (const Edge& edge : now_.edges) {
+      if (edge.to == thing && (edge.relation == Predicate::On || edge.relation == Predicate::Inside))
+        load.push_back(edge);
+    }
+    std::erase_if(load, [&](const Edge& edge) {  // in the thing by being on or in another that is in it
+      return std::any_of(load.begin(), load.end(), [&](const Edge& below) {
+        return std::any_of(now_.edges.begin(), now_.edges.end(), [&](const Edge& one) {
+          return one.from == edge.from && one.to == below.from &&
+                 (one.relation == Predicate::On || one.relation == Predicate::Inside);
+        });
+      });
+    });
+    return load;
+  }
+
+  /// The lines that take up what was on or in a thing when it was grabbed, and put it there again: `Grab` forgets it,
+  /// and what is on or in that in turn. `again`: things that have their lines; in a home two may rest on each other.
+  Result<Done> load_again(const std::string& thing, const Load& load, bool in_hand, std::set<std::string>& again) {
+    const Node* const node = find_node(now_, thing);
+    const bool shut =
+        node != nullptr && node->states.has(Predicate::Closed) &&
+        std::any_of(load.begin(), load.end(), [](const Edge& edge) { return edge.relation == Predicate::Inside; });
+    if (shut) {
+      if (auto opened = line("Open", {thing}); !opened) return opened;
+    }
+    again.insert(thing);
+    for (const Edge& edge : load) {
+      if (!again.insert(edge.from).second) continue;
+      std::vector<std::pair<std::string_view, Words>> lines{{"Walk", {edge.from}}, {"Grab", {edge.from}}};
+      if (!in_hand) lines.emplace_back("Walk", Words{thing});
+      lines.emplace_back(edge.relation == Predicate::On ? "PutBack" : "PutIn", Words{edge.from, thing});
+      for (const auto& [word, objects] : lines) {
+        if (auto written = line(word, objects); !written) return written;
+        if (word == "Walk") walked_to_ = objects.front();
+      }
+      if (auto more = load_again(edge.from, load_of(edge.from), false, again); !more) return more;
+    }
+    return shut ? line("Close", {thing}) : Done{};
+  }
+
+  bool is_held(const std::string& object) const {
+    return std::find(now_.agent.held.begin(), now_.agent.held.end(), object) != now_.agent.held.end();
+  }
 
   Result<Done> line(std::string_view word, const std::vector<std::string>& objects) {
     std::string text = "[" + std::string(word) + "]";
@@ -90,7 +147,7 @@ class Programmer {
   }
 
   const std::map<std::string, std::string>& names_;
-  std::vector<std::string> held_;
+  Scene now_;  // before the step
   std::set<std::string> unplugged_;
   std::string walked_to_;  // the last that the agent walked to; "" for none
   std::vector<std::string> lines_;

@@ -154,7 +154,8 @@ GivenScenes given_homes(const std::vector<fs::path>& paths_or_ids, const Resourc
   return given;
 }
 
-GivenScenes native_homes(const std::vector<fs::path>& paths, const Resources& resources, const DataFolders& folders) {
+GivenScenes native_homes(const std::vector<fs::path>& paths, const fs::path& models, const Resources& resources,
+                         const DataFolders& folders) {
   GivenScenes given;
   std::vector<fs::path> ours, theirs;
   for (const fs::path& path : paths) {
@@ -164,7 +165,7 @@ GivenScenes native_homes(const std::vector<fs::path>& paths, const Resources& re
   auto found = read_files(ours, resources.backends, given.errors);
   const auto formats = read_format_facts(folders.scene_files());
   given.errors.insert(given.errors.end(), formats.errors.begin(), formats.errors.end());
-  auto foreign = read_foreign_scenes("auto", theirs, resources.backends, formats.facts);
+  auto foreign = read_foreign_scenes("auto", theirs, resources.backends, formats.facts, models);
   given.errors.insert(given.errors.end(), foreign.errors.begin(), foreign.errors.end());
   if (!given.errors.empty()) return given;
   ImportOptions how;

@@ -33,9 +33,10 @@ GivenScenes given_homes(const std::vector<std::filesystem::path>& paths_or_ids, 
                         const DataFolders& folders);
 
 /// For tasks that are to be done in the simulators themselves: scene files that were imported, the simulators' own
-/// files of any format that can be imported, which are imported here, and folders of both. Errors: as above, and those
-/// of reading and importing; Usage for a home without an object of a simulator's own scene.
-GivenScenes native_homes(const std::vector<std::filesystem::path>& paths, const Resources& resources,
-                         const DataFolders& folders);
+/// files of any format that can be imported, which are imported here, and folders of both. `models`: as
+/// read_foreign_scenes takes them. Errors: as above, and those of reading and importing; Usage for a home without an
+/// object of a simulator's own scene.
+GivenScenes native_homes(const std::vector<std::filesystem::path>& paths, const std::filesystem::path& models,
+                         const Resources& resources, const DataFolders& folders);
 
 }  // namespace unietp

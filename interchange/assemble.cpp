@@ -69,7 +69,13 @@ Result<ImportedScene> assemble(const SourceScene& source, const Knowledge& knowl
   if (draft.scene.rooms.empty()) return refuse("the file has no rooms, and no objects around which to draw one");
   if (source.rooms.empty()) draft.report.rooms_drawn = static_cast<int>(draft.scene.rooms.size());
   if (source.openings.empty()) draft.report.openings_made = static_cast<int>(draft.scene.openings.size());
-  if (draft.scene.nodes.empty()) return refuse("no object of a known category can be placed");
+  if (draft.scene.nodes.empty()) {
+    const bool nameless = std::none_of(source.objects.begin(), source.objects.end(),
+                                       [](const SourceObject& object) { return !object.category.empty(); });
+    return refuse(
+        std::string("no object of a known category can be placed") +
+        (nameless ? ": the file names models by hashes, so it needs a table of their categories (--assets)" : ""));
+  }
   fix_heaps(source, draft);
   turn_fronts(source, facts, draft);
   follow_evidence(draft);

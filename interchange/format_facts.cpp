@@ -8,6 +8,7 @@
 #include "akb/row_reader.h"
 #include "akb/table_words.h"
 #include "core/files.h"
+#include "core/text.h"
 #include "interchange/house_names.h"
 
 namespace unietp {
@@ -81,6 +82,16 @@ FormatFactsReading read_format_facts(const std::filesystem::path& folder) {
   read_virtualhome_words(folder, reading);
   read_table(folder / "building_words.csv", {"word", "source"}, errors,
              [&](RowReader&, std::string word) { facts.building_words.insert(std::move(word)); });
+  read_table(folder / "procthor_lacks.csv", {"model", "lacks", "source"}, errors,
+             [&](RowReader& row, std::string model) {
+               auto& lacks = facts.model_lacks[std::move(model)];
+               for (const std::string& name : split(row.required("lacks"), '|')) {
+                 const auto known = affordance_names();
+                 if (std::find(known.begin(), known.end(), name) == known.end())
+                   row.fail("lacks", "'" + name + "' is no affordance");
+                 lacks.insert(name);
+               }
+             });
   if (!errors.empty()) return reading;
   if (facts.door_models.empty())
     errors.push_back({Error::Kind::Schema, doors.string(), {}, "is empty; expected at least one model"});

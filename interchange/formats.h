@@ -35,8 +35,9 @@ Result<std::vector<SourceScene>> read_behavior(const std::string& where, std::st
 /// A file of a simulator that loads it, and what of the scene that format cannot say.
 struct ExportedScene {
   std::string text;
-  std::vector<std::string> left_out;              // for people: "mug_3: no AI2-THOR asset fits its box"
-  std::map<std::string, std::string> names = {};  // of our objects, by id, where the file names its objects
+  std::vector<std::string> left_out;               // for people: "mug_3: no AI2-THOR asset fits its box"
+  std::map<std::string, std::string> names = {};   // of our objects, by id, where the file names its objects
+  std::map<std::string, std::string> models = {};  // of our objects, by id, in a house of AI2-THOR
 };
 /// A house for AI2-THOR's CreateHouse, a VirtualHome environment graph, a Habitat scene instance. Deterministic.
 /// Errors: for a scene of another simulator; for a house, also without a room.

@@ -41,15 +41,8 @@ std::vector<Quat> ways_to_lie(const Node& node) {
   return ways;
 }
 
-}  // namespace
-
-ChosenModel model_for(const Node& node, const Knowledge& knowledge, std::string& why) {
-  if (const Asset* own = knowledge.asset(node.asset); own != nullptr && own->category == node.category) return {own};
-  const auto models = knowledge.asset_rows_of(node.category);
-  if (models.empty()) {
-    why = "no model of " + node.category + " is known";
-    return {};
-  }
+/// The best of some models; none with a reason.
+ChosenModel best_of(const std::vector<const Asset*>& models, const Node& node, std::string& why) {
   struct Fit {
     const Asset* model;
     Quat turn;
@@ -69,9 +62,25 @@ ChosenModel model_for(const Node& node, const Knowledge& knowledge, std::string&
       *std::min_element(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return a.misfit < b.misfit; });
   if (best.misfit <= 1) return {best.model, best.turn};
   const Asset* const nearest = fits.front().model;
+  if (nearest == nullptr) return {};
   why = "no model fits its box of " + box_text(node.size) + "; the nearest, " + nearest->name + ", has " +
         box_text(nearest->size);
   return {};
+}
+
+}  // namespace
+
+ChosenModel model_for(const Node& node, const Knowledge& knowledge, const FormatFacts& facts, std::string& why) {
+  if (const Asset* own = knowledge.asset(node.asset); own != nullptr && own->category == node.category) return {own};
+  const auto all = knowledge.asset_rows_of(node.category);
+  if (all.empty()) {
+    why = "no model of " + node.category + " is known";
+    return {};
+  }
+  std::vector<const Asset*> models(all.begin(), all.end());
+  std::erase_if(models, [&](const Asset* model) { return facts.model_lacks.contains(model->name); });
+  if (const ChosenModel able = best_of(models, node, why); able.asset != nullptr) return able;
+  return best_of({all.begin(), all.end()}, node, why);
 }
 
 }  // namespace unietp

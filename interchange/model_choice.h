@@ -3,6 +3,7 @@
 #include <string>
 
 #include "akb/knowledge.h"
+#include "interchange/format_facts.h"
 #include "scene/scene.h"
 
 namespace unietp {
@@ -15,7 +16,8 @@ struct ChosenModel {
 
 /// The simulator's model that stands for a node: its own, when the knowledge base has that, else the one of its
 /// category whose box is nearest, each extent within a third of the node's or within 5 cm. A movable box, such as a
-/// knife, may lie on any of its sides where none fits upright. Without one, `why` says so, for people.
-ChosenModel model_for(const Node& node, const Knowledge& knowledge, std::string& why);
+/// knife, may lie on any of its sides where none fits upright. A model that lacks what its category can do, by
+/// FormatFacts::model_lacks, is chosen only where no other fits. Without one, `why` says so, for people.
+ChosenModel model_for(const Node& node, const Knowledge& knowledge, const FormatFacts& facts, std::string& why);
 
 }  // namespace unietp

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "akb/csv.h"
 #include "core/limits.h"
 #include "core/text.h"
 #include "interchange/foreign_json.h"
@@ -51,6 +52,33 @@ SceneModel model_from_json(JsonReader& reader, const JsonAt& at) {
   return model;
 }
 
+bool is_csv(const std::string& where) { return where.ends_with(".csv") || where.ends_with(".csv.gz"); }
+
+Result<SceneModels> read_hssd_table(const std::string& where, std::string_view text) {
+  const CsvFile table = read_csv(where, text);
+  if (!table.errors.empty()) return table.errors.front();
+  const auto column = [&](std::string_view name) {
+    return std::find_if(table.header.begin(), table.header.end(),
+                        [&](const CsvCell& one) { return one.text == name; }) -
+           table.header.begin();
+  };
+  const auto columns = static_cast<std::ptrdiff_t>(table.header.size());
+  const auto id = column("id");
+  std::ptrdiff_t category = columns;
+  for (const char* name : {"clean_category", "main_category", "category"}) {
+    if (category == columns) category = column(name);
+  }
+  if (id == columns || category == columns)
+    return Error{Error::Kind::Schema, where, {1, 1}, "expected the columns id and clean_category or main_category"};
+  SceneModels models;
+  for (const CsvRow& row : table.rows) {
+    SceneModel model;
+    model.category = row[static_cast<std::size_t>(category)].text;
+    models.insert_or_assign(std::string(bare_template(row[static_cast<std::size_t>(id)].text)), std::move(model));
+  }
+  return models;
+}
+
 }  // namespace
 
 std::string_view bare_template(std::string_view name) {
@@ -88,6 +116,7 @@ SceneModels scene_models_from_json(JsonReader& reader, const JsonAt& table) {
 }
 
 Result<SceneModels> read_scene_models(const std::string& where, std::string_view text) {
+  if (is_csv(where)) return read_hssd_table(where, text);
   const auto json = parse_json(where, text, limits::kJsonHomeFields);
   if (!json) return json.error();
   JsonReader reader(where);

@@ -23,8 +23,10 @@ struct SceneModel {
 using SceneModels = std::map<std::string, SceneModel, std::less<>>;
 
 /// `{"frl_apartment_bowl_01": {"category": "bowl", "size": [w, d, h], "mass": 0.3}, …}`, each field optional, others
-/// passed over, as a whole or in a field `templates` or `objects`. Names without folders and endings.
-/// Errors: Parse, Schema with a JSON pointer.
+/// passed over, as a whole or in a field `templates` or `objects`. Names without folders and endings. A file called
+/// *.csv or *.csv.gz is read as one of HSSD's own tables: the columns `id` and, the first that there is of them,
+/// `clean_category`, `main_category` or `category`; others are passed over. Errors: Parse, Schema with a JSON pointer
+/// or the place in the table.
 Result<SceneModels> read_scene_models(const std::string& where, std::string_view text);
 /// The same from a table that stands inside a file; errors go to the reader.
 SceneModels scene_models_from_json(JsonReader& reader, const JsonAt& table);

@@ -47,7 +47,8 @@ class HouseWriter {
                      {"walls", walls()},
                      {"proceduralParameters", house_parameters(scene_)},
                      {"metadata", house_metadata(scene_)}};
-    return {house.dump(1, ' ', false, Json::error_handler_t::replace) + "\n", std::move(left_out_), std::move(names_)};
+    return {house.dump(1, ' ', false, Json::error_handler_t::replace) + "\n", std::move(left_out_), std::move(names_),
+            std::move(models_)};
   }
 
  private:
@@ -212,12 +213,12 @@ class HouseWriter {
   std::optional<Json> object(std::size_t i, Json& windows) {
     Node node = as_it_stands(scene_.nodes[i]);
     std::string why;
-    ChosenModel chosen = model_for(node, knowledge_, why);
+    ChosenModel chosen = model_for(node, knowledge_, facts_, why);
     const bool lid_closed = node.archetype == Archetype::Folding && node.opening <= 0;
     if (chosen.asset == nullptr && lid_closed) {  // most models of what folds are measured with their lids up
       node.opening = 1;
       node = as_it_stands(std::move(node));
-      chosen = model_for(node, knowledge_, why);
+      chosen = model_for(node, knowledge_, facts_, why);
     }
     const Asset* const model = chosen.asset;
     if (model == nullptr) {
@@ -247,6 +248,7 @@ class HouseWriter {
               {"kinematic", !node.movable},
               {"layer", house_layer(in)}};
     names_[node.id] = json["id"];
+    models_[node.id] = model->name;
     if (node.states.has(Predicate::Open)) {
       json["openness"] = node.opening > 0 ? house_number(node.opening, 1000) : 1.0;
     } else if (lid_closed) {
@@ -298,7 +300,7 @@ class HouseWriter {
   std::map<std::size_t, int> numbers_;              // objects of each room so far
   std::map<std::string, int> door_ids_;
   std::vector<std::string> left_out_;
-  std::map<std::string, std::string> names_;
+  std::map<std::string, std::string> names_, models_;
 };
 
 }  // namespace

@@ -10,8 +10,6 @@ Exit code 1: an episode is not loaded, or names something that is not there or h
 
 import argparse
 import gzip
-import importlib.abc
-import importlib.machinery
 import importlib.util
 import json
 import os
@@ -24,6 +22,7 @@ from pathlib import Path
 import numpy
 import trimesh
 import yourdfpy
+from empty_modules import EmptyModules
 from report import finish
 
 # What habitat-lab imports for simulation and pictures, which its data set classes do not use.
@@ -32,45 +31,9 @@ NOT_INSTALLED = ("magnum", "corrade", "habitat_sim", "habitat.tasks", "habitat.s
 TOLERANCE_M = 0.002  # names of stand-ins have whole millimeters
 
 
-class _AnyName(type):
-    """The class of everything in a module that is not installed: each of its attributes is again such a class."""
-
-    def __getattr__(cls, name):
-        if name.startswith("__"):
-            raise AttributeError(name)
-        return _Nothing
-
-    def __or__(cls, other):
-        return cls
-
-    __ror__ = __or__
-
-
-class _Nothing(metaclass=_AnyName):
-    pass
-
-
-class _EmptyModules(importlib.abc.MetaPathFinder, importlib.abc.Loader):
-    """Finds the modules of NOT_INSTALLED: modules that have every name."""
-
-    def find_spec(self, name, path, target=None):
-        if any(name == one or name.startswith(one + ".") for one in NOT_INSTALLED):
-            return importlib.machinery.ModuleSpec(name, self, is_package=True)
-        return None
-
-    def create_module(self, spec):
-        module = types.ModuleType(spec.name)
-        module.__path__ = []
-        module.__getattr__ = lambda name: _Nothing
-        return module
-
-    def exec_module(self, module):
-        pass
-
-
 def rearrange_dataset():
     """habitat-lab's class for rearrangement episodes, imported without its simulator."""
-    sys.meta_path.insert(0, _EmptyModules())
+    sys.meta_path.insert(0, EmptyModules(NOT_INSTALLED))
     habitat = types.ModuleType("habitat")  # without the package's own start, which needs the simulator
     habitat.__path__ = list(importlib.util.find_spec("habitat").submodule_search_locations)
     sys.modules["habitat"] = habitat

@@ -15,11 +15,13 @@ Exit code 1: a problem was not grounded or solved, or a plan was judged otherwis
 import argparse
 import csv
 import hashlib
+import os
 import subprocess
 import sys
 import tempfile
 import warnings
 from collections import Counter
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import up_fast_downward
@@ -131,6 +133,7 @@ def main():
     options.add_argument("out", type=Path, help="a CSV file to write, or to go on with")
     options.add_argument("--acted", type=int, default=40, metavar="N", help="unified-planning acts out the plans of each N-th")
     options.add_argument("--seconds", type=int, default=60, help="of the processor, for grounding and for searching")
+    options.add_argument("--jobs", type=int, default=os.cpu_count(), help="problems at once (default: one for each processor)")
     options = options.parse_args()
     problems = [path for path in options.folder.glob("*/*.pddl") if path.stem != "domain"]
     problems.sort(key=lambda path: hashlib.sha256(path.stem.encode()).digest())
@@ -139,12 +142,13 @@ def main():
         rows = csv.DictWriter(file, COLUMNS, restval="", lineterminator="\n")
         if not done:
             rows.writeheader()
-        for number, problem in enumerate(problems):
-            if problem.stem in done:
-                continue
-            rows.writerow(judge(problem, options.seconds, number % options.acted == 0))
-            file.flush()
-            print(f"\r{number + 1} of {len(problems)}", end="", file=sys.stderr, flush=True)
+        left = [(problem, number % options.acted == 0) for number, problem in enumerate(problems) if problem.stem not in done]
+        with ThreadPoolExecutor(options.jobs) as jobs:
+            judged = jobs.map(lambda one: judge(one[0], options.seconds, one[1]), left)
+            for number, row in enumerate(judged, len(problems) - len(left) + 1):
+                rows.writerow(row)
+                file.flush()
+                print(f"\r{number} of {len(problems)}", end="", file=sys.stderr, flush=True)
     print(file=sys.stderr)
     here = {path.stem for path in problems}
     rows = sorted((row for row in read_rows(options.out) if row["task"] in here), key=lambda row: row["task"])

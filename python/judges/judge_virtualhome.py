@@ -38,26 +38,28 @@ LINE = re.compile(r"\[(\w+)\](?: <[^>]+> \(\d+\))*? <([^>]+)> \(\d+\)$")  # an a
 
 def ours_at_the_end(dataset, task, numbers):
     """Of the objects that the demonstration changed: (number, relation, number) and (number, state) in VirtualHome's words,
-    their numbers, and the numbers of those that rest on or in a thing that the agent picked up."""
+    and their numbers."""
     *_, scene = dataset.scenes(task, "M1")
     steps = dataset.demonstration(task).steps
     changed = {node["id"] for step in steps for node in step.changes.get("nodes", [])}
-    picked_up = {step.args[0] for step in steps if step.action == "pick_up"}
     edges = [edge for edge in scene["edges"] if edge["relation"] in RELATIONS and edge["from"] in changed]
     facts = {(numbers[edge["from"]], RELATIONS[edge["relation"]], numbers[edge["to"]]) for edge in edges}
     for node in scene["nodes"]:
         if node["id"] in changed:
             facts |= {(numbers[node["id"]], STATES[state]) for state in node["states"] if state in STATES}
-    carried = {numbers[edge["from"]] for edge in edges if edge["to"] in picked_up}
-    return facts, {numbers[thing] for thing in changed}, carried
+    return facts, {numbers[thing] for thing in changed}
 
 
 def theirs_at_the_end(graph, things, known):
-    facts = {
+    """The same of their graph, which need not say that what is on or in a thing is also in what that thing is in."""
+    edges = {
         (edge["from_id"], edge["relation_type"], edge["to_id"])
         for edge in graph["edges"]
-        if edge["relation_type"] in RELATIONS.values() and edge["from_id"] in things and edge["to_id"] in known
+        if edge["relation_type"] in RELATIONS.values() and edge["from_id"] in known and edge["to_id"] in known
     }
+    while indirect := {(one, "INSIDE", far) for one, _, near in edges for it, rel, far in edges if it == near and rel == "INSIDE"} - edges:
+        edges |= indirect
+    facts = {edge for edge in edges if edge[0] in things}
     for node in graph["nodes"]:
         if node["id"] in things:
             facts |= {(node["id"], state) for state in node["states"] if state in STATES.values()}
@@ -84,11 +86,11 @@ def judge(dataset, folder, task, table):
         row["denied_by_unity"] = "; ".join(denied_by_unity(lines, table))
     if not done:
         return row | {"end": "", "differs": ""}
-    ours, things, carried = ours_at_the_end(dataset, task, numbers)
+    ours, things = ours_at_the_end(dataset, task, numbers)
     theirs = theirs_at_the_end(graphs[-1], things, set(numbers.values()))
     apart = ours ^ theirs
     return row | {
-        "end": "equal" if not apart else "carried things forgotten" if {fact[0] for fact in apart} <= carried else "differs",
+        "end": "differs" if apart else "equal",
         "differs": "; ".join(("ours " if fact in ours else "theirs ") + " ".join(map(str, fact)) for fact in sorted(apart, key=str)),
     }
 
@@ -112,7 +114,7 @@ def main():
         rows,
         options.out,
         f"VirtualHome's graph simulator executes {sum(ends.values())} of {len(rows)} programs; their ends: {dict(ends)}{allowed}",
-        lambda row: row["end"] in ("equal", "carried things forgotten"),
+        lambda row: row["end"] == "equal",
     )
 
 

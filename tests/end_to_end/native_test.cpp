@@ -116,6 +116,30 @@ TEST(Native, HabitatsOwnObjectsAreNamedByTheirTemplates) {
   EXPECT_THAT(config["objects"]["paths"][".json"].dump(), HasSubstr("replica_cad"));
 }
 
+TEST(Native, ModelsThatAreNamedByHashesNeedTheirTable) {
+  const ScratchFolder folder;
+  const std::string scene = (kScenes / "flat.hssd.scene_instance.json").string();
+  const std::string models = (kScenes / "hssd_models.json").string();
+  const auto without = make_native(scene, folder.at("none"), 2);
+  EXPECT_EQ(without.code, 2);
+  EXPECT_THAT(without.err, HasSubstr("needs a table of their categories (--assets)"));
+  const auto with = run_program({"generate", "--native", "--scenes", scene, "--assets", models, "--count", "2",
+                                 "--seed", "3", "--splits", "atomic", "--out", folder.at("tasks")});
+  ASSERT_EQ(with.code, 0) << with.out << with.err;
+  const Json table = Json::parse(read_file(models).value());
+  int own = 0;
+  for (const std::string& id : ids_in(folder.at("tasks"))) {
+    const auto end = id.rfind("_:");
+    own += end != std::string::npos && table.contains(id.substr(0, end)) ? 1 : 0;
+  }
+  EXPECT_GT(own, 0) << "objects have Habitat's handles";
+  ASSERT_EQ(run_program({"export", folder.at("tasks"), "--format", "habitat", "--out", folder.at("out")}).code, 0);
+  EXPECT_EQ(read_file(folder.at("out") + "/left_out.jsonl").value(), "");
+  const auto alone = run_program({"generate", "--assets", models, "--count", "1", "--out", folder.at("alone")});
+  EXPECT_EQ(alone.code, 2);
+  EXPECT_THAT(alone.err, HasSubstr("is for --native"));
+}
+
 INSTANTIATE_TEST_SUITE_P(
     EachSimulator, Native,
     ::testing::Values(

@@ -57,6 +57,70 @@ TEST(VirtualhomeProgram, WalksToWhatIsInReachAndPutsItsPlugInOnce) {
                                   "[SwitchOn] <radio> (30)", "[SwitchOff] <radio> (30)", "[SwitchOn] <radio> (30)"));
 }
 
+Node thing(const std::string& id, Predicate state) {
+  Node node;
+  node.id = id;
+  node.states.set({state, {}});
+  return node;
+}
+
+TEST(VirtualhomeProgram, PutsWhatAThingHeldThereAgainAfterTheGrab) {
+  Scene start;
+  start.nodes = {thing("tray_1", Predicate::Clean), thing("mug_2", Predicate::Clean), thing("tea_3", Predicate::Clean)};
+  start.edges = {{Predicate::Inside, "tea_3", "mug_2"}, {Predicate::On, "mug_2", "tray_1"}};
+  DemonstrationRecord demonstration;
+  demonstration.steps = {step("go_to", {"tray_1"}), holding(step("pick_up", {"tray_1"}), {"tray_1"}),
+                         step("go_to", {"table_4"}), holding(step("place_on", {"table_4"}), {})};
+  const auto lines = virtualhome_program(
+      demonstration, start, {{"tray_1", "tray_1"}, {"mug_2", "mug_2"}, {"tea_3", "tea_3"}, {"table_4", "table_4"}});
+  ASSERT_TRUE(lines) << format(lines.error());
+  EXPECT_THAT(*lines,
+              ElementsAre("[Walk] <tray> (1)", "[Grab] <tray> (1)", "[Walk] <mug> (2)", "[Grab] <mug> (2)",
+                          "[PutBack] <mug> (2) <tray> (1)", "[Walk] <tea> (3)", "[Grab] <tea> (3)", "[Walk] <mug> (2)",
+                          "[PutIn] <tea> (3) <mug> (2)", "[Walk] <table> (4)", "[PutBack] <tray> (1) <table> (4)"));
+}
+
+TEST(VirtualhomeProgram, PutsWhatIsInsideThereOnceMoreAfterTheWalkAndOpensWhatIsShut) {
+  Scene start;
+  start.nodes = {thing("box_1", Predicate::Closed), thing("plate_2", Predicate::Clean),
+                 thing("pie_3", Predicate::Clean)};
+  start.edges = {{Predicate::Inside, "pie_3", "box_1"},
+                 {Predicate::Inside, "plate_2", "box_1"},
+                 {Predicate::On, "pie_3", "plate_2"}};
+  DemonstrationRecord demonstration;
+  demonstration.steps = {holding(step("pick_up", {"box_1"}), {"box_1"}), step("go_to", {"table_4"}),
+                         holding(step("place_on", {"table_4"}), {})};
+  const auto lines = virtualhome_program(
+      demonstration, start, {{"box_1", "box_1"}, {"plate_2", "plate_2"}, {"pie_3", "pie_3"}, {"table_4", "table_4"}});
+  ASSERT_TRUE(lines) << format(lines.error());
+  const std::vector<std::string> pie{"[Walk] <pie> (3)", "[Grab] <pie> (3)", "[Walk] <plate> (2)",
+                                     "[PutBack] <pie> (3) <plate> (2)", "[Close] <box> (1)"};
+  std::vector<std::string> expected{"[Walk] <box> (1)",   "[Grab] <box> (1)",   "[Open] <box> (1)",
+                                    "[Walk] <plate> (2)", "[Grab] <plate> (2)", "[PutIn] <plate> (2) <box> (1)"};
+  expected.insert(expected.end(), pie.begin(), pie.end());
+  for (const char* one :
+       {"[Walk] <table> (4)", "[PutBack] <box> (1) <table> (4)", "[Open] <box> (1)", "[Walk] <plate> (2)",
+        "[Grab] <plate> (2)", "[Walk] <box> (1)", "[PutIn] <plate> (2) <box> (1)"})
+    expected.emplace_back(one);
+  expected.insert(expected.end(), pie.begin(), pie.end());
+  EXPECT_EQ(*lines, expected);
+}
+
+TEST(VirtualhomeProgram, ThingsThatRestOnEachOtherHaveTheirLinesOnce) {
+  Scene start;
+  start.nodes = {thing("tray_1", Predicate::Clean), thing("mug_2", Predicate::Clean), thing("cup_3", Predicate::Clean)};
+  start.edges = {
+      {Predicate::On, "mug_2", "tray_1"}, {Predicate::On, "cup_3", "mug_2"}, {Predicate::On, "mug_2", "cup_3"}};
+  DemonstrationRecord demonstration;
+  demonstration.steps = {step("go_to", {"tray_1"}), holding(step("pick_up", {"tray_1"}), {"tray_1"})};
+  const auto lines =
+      virtualhome_program(demonstration, start, {{"tray_1", "tray_1"}, {"mug_2", "mug_2"}, {"cup_3", "cup_3"}});
+  ASSERT_TRUE(lines) << format(lines.error());
+  EXPECT_THAT(*lines, ElementsAre("[Walk] <tray> (1)", "[Grab] <tray> (1)", "[Walk] <mug> (2)", "[Grab] <mug> (2)",
+                                  "[PutBack] <mug> (2) <tray> (1)", "[Walk] <cup> (3)", "[Grab] <cup> (3)",
+                                  "[Walk] <mug> (2)", "[PutBack] <cup> (3) <mug> (2)"));
+}
+
 TEST(VirtualhomeProgram, LeavesOutStepsThatFailed) {
   const auto lines = program({step("open", {"fridge_4"}, false), step("close", {"fridge_4"})});
   ASSERT_TRUE(lines) << format(lines.error());

@@ -62,7 +62,8 @@ void read_scene_file_tables(const Folder& folder, Errors& errors) {
       {"virtualhome_rooms.csv", "class,room,source\nhallway,corridor,x\n"},
       {"virtualhome_states.csv", "word,state,source\nON,power_on,x\n"},
       {"virtualhome_properties.csv", "property,affordance,source\nGRABBABLE,pickupable,x\n"},
-      {"building_words.csv", "word,source\nwall,x\n"}};
+      {"building_words.csv", "word,source\nwall,x\n"},
+      {"procthor_lacks.csv", "model,lacks,source\nMug_9,pickupable,x\n"}};
   for (const auto& [name, text] : sound) {
     if (!std::filesystem::exists(folder.path() / name)) folder.write(name, text);
   }
@@ -130,6 +131,7 @@ const std::map<std::string, std::function<void(const Folder&, Errors&)>, std::le
       {"virtualhome_states.csv", read_scene_file_tables},
       {"virtualhome_properties.csv", read_scene_file_tables},
       {"building_words.csv", read_scene_file_tables},
+      {"procthor_lacks.csv", read_scene_file_tables},
   };
   return all;
 }

@@ -225,7 +225,11 @@ TEST(Assemble, AFileWithNothingToPlaceOrTooMuchIsRefused) {
   for (SourceObject& object : scene.objects) object.category = "Flumbus";
   const auto nothing = imported(scene);
   ASSERT_FALSE(nothing);
-  EXPECT_THAT(nothing.error().message, HasSubstr("no object of a known category"));
+  EXPECT_EQ(nothing.error().message, "no object of a known category can be placed");
+  for (SourceObject& object : scene.objects) object.category.clear();
+  const auto hashes = imported(scene);
+  ASSERT_FALSE(hashes);
+  EXPECT_THAT(hashes.error().message, HasSubstr("needs a table of their categories (--assets)"));
 }
 
 TEST(Assemble, ARoomAsWideAsATownIsRefused) {

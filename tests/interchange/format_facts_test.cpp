@@ -29,7 +29,8 @@ FormatFactsReading reading_of(const std::string& words, const std::string& doors
       {"virtualhome_rooms.csv", "class,room,source\nhallway,corridor,curated\nentrance_hall,corridor,curated\n"},
       {"virtualhome_states.csv", "word,state,source\nON,power_on,curated\n"},
       {"virtualhome_properties.csv", "property,affordance,source\nGRABBABLE,pickupable,curated\n"},
-      {"building_words.csv", "word,source\ndoorframe,curated\n"}};
+      {"building_words.csv", "word,source\ndoorframe,curated\n"},
+      {"procthor_lacks.csv", "model,lacks,source\nFixed_Mug,fillable|pickupable,curated\n"}};
   for (const auto& [name, text] : others) texts[name] = text;
   for (const auto& [name, text] : texts) EXPECT_TRUE(write_file(folder.path() / name, text));
   EXPECT_TRUE(write_file(folder.path() / "replicacad_words.csv", words));
@@ -51,6 +52,7 @@ TEST(FormatFacts, AreReadFromTheirTables) {
   const auto [facts, errors] = reading_of(kWords, kDoors, kFloors);
   EXPECT_THAT(texts_of(errors), ElementsAre());
   EXPECT_EQ(facts.replicacad_words.at("sofa"), "couch");
+  EXPECT_THAT(facts.model_lacks.at("Fixed_Mug"), ElementsAre("fillable", "pickupable"));
   EXPECT_EQ(facts.floor_materials.at("Kitchen"), "C");
   EXPECT_EQ(door_model_for(1.4, facts).name, "Narrow");
   EXPECT_EQ(door_model_for(1.5, facts).name, "Wide");

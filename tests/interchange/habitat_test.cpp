@@ -128,6 +128,21 @@ TEST(Habitat, ATableOfModelsGivesCategoriesSizesAndMasses) {
   EXPECT_EQ(instance().objects[2].category, "") << "a hash says nothing";
 }
 
+TEST(Habitat, HssdsOwnTablesGiveTheCategoriesOfHashes) {
+  const auto models = read_scene_models("objects.csv.gz",
+                                        "id,name,clean_category,main_category\n"
+                                        "1efdc3d37dfab1eb9f99117bb84c59003d684811,\"Chair, oak\",chair,seating\n");
+  ASSERT_TRUE(models) << format(models.error());
+  EXPECT_EQ(instance(*models).objects[2].category, "chair");
+  const auto main = read_scene_models("fpmodels.csv", "main_category,id\nbed,f00\n");
+  ASSERT_TRUE(main) << format(main.error());
+  EXPECT_EQ(main->at("f00").category, "bed");
+  const auto without = read_scene_models("fpmodels.csv", "id,name\nf00,Bed\n");
+  ASSERT_FALSE(without);
+  EXPECT_EQ(format(without.error()),
+            "fpmodels.csv:1:1: schema error: expected the columns id and clean_category or main_category");
+}
+
 TEST(Habitat, TemplatesSpeakOfCategories) {
   for (const auto& [name, category] :
        std::vector<std::pair<std::string, std::string>>{{"objects/frl_apartment_indoor_plant_02", "potted_plant"},

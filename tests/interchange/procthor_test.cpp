@@ -11,6 +11,7 @@
 #include "core/text.h"
 #include "import_rates.h"
 #include "interchange/formats.h"
+#include "interchange/model_choice.h"
 #include "interchange/unity.h"
 #include "small_home.h"
 #include "tests/support/needs.h"
@@ -241,6 +242,25 @@ TEST(Procthor, AHouseThatIsWrittenAndReadIsTheSameHome) {
     for (const std::string& text : written->left_out) std::cout << houses[i].id << " " << text << "\n";
     EXPECT_EQ(write_procthor(first->scene, knowledge, format_facts())->text, written->text);
   }
+}
+
+TEST(ModelChoice, TakesAModelThatCanDoWhatItsCategoryCanWhereOneFits) {
+  const Knowledge& knowledge = committed_knowledge(Simulator::Ai2thor);
+  const FormatFacts& facts = format_facts();
+  ASSERT_THAT(facts.model_lacks.at("RoboTHOR_mug_ai2_2_v"), ::testing::Contains("pickupable"));
+  Node mug;
+  mug.id = "mug_1";
+  mug.category = "Mug";
+  mug.size = knowledge.asset("RoboTHOR_mug_ai2_2_v")->size;
+  std::string why;
+  const ChosenModel able = model_for(mug, knowledge, facts, why);
+  ASSERT_NE(able.asset, nullptr) << why;
+  EXPECT_FALSE(facts.model_lacks.contains(able.asset->name));
+  FormatFacts all_lack = facts;
+  for (const Asset* model : knowledge.asset_rows_of("Mug")) all_lack.model_lacks[model->name].insert("pickupable");
+  EXPECT_EQ(model_for(mug, knowledge, all_lack, why).asset->name, "RoboTHOR_mug_ai2_2_v") << "where no other fits";
+  mug.asset = "RoboTHOR_mug_ai2_2_v";
+  EXPECT_EQ(model_for(mug, knowledge, facts, why).asset->name, mug.asset) << "its own";
 }
 
 }  // namespace

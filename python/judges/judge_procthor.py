@@ -1,0 +1,134 @@
+"""ProcTHOR's own databases (PyPI `procthor`) on the houses of a data set, for `checks/judges procthor`.
+
+Of each house: every object has an asset of the database, under the type that this has there; every door and window has one,
+in walls and between rooms that are there; every object is in a room, and in the one that its id names; what has children is a
+receptacle. Each object that the task names is in the house, but for pieces that AI2-THOR makes when it cuts, and has an asset
+that can do what the plan does with it. The package's own start needs pandas and Unity's controller, so its files are read. Floor
+plans are named only, and left out.
+
+Exit code 1: a house has a fault.
+"""
+
+import argparse
+import importlib.util
+import json
+import math
+import re
+from pathlib import Path
+
+from report import finish
+
+EDGE_M = 0.01  # a thing no farther outside a room is in it
+OF_PARTS = ("Sink", "ShelvingUnit")  # whose basins and shelves, objects of their own, hold things
+NEEDS = {"open": "CanOpen", "close": "CanOpen", "turn_on": "CanToggleOnOff", "turn_off": "CanToggleOnOff", "slice": "CanBeSliced",
+         "place_on": "Receptacle", "place_in": "Receptacle"}  # fmt: skip
+STEP = re.compile(r"(\w+)\(([^,)]+)\)")  # of one object
+
+
+class Databases:
+    def __init__(self):
+        folder = Path(importlib.util.find_spec("procthor").submodule_search_locations[0]) / "databases"
+        kinds = json.loads((folder / "asset-database.json").read_text())
+        self.assets = {asset["assetId"]: asset for assets in kinds.values() for asset in assets}
+        self.holes = set(json.loads((folder / "wall-holes.json").read_text()))
+
+
+def outside_by(x, z, corners):
+    """How far a point is outside a polygon; 0 within."""
+    odd, nearest = False, math.inf
+    for (ax, az), (bx, bz) in zip(corners, [*corners[1:], corners[0]], strict=True):
+        if (az > z) != (bz > z) and x < ax + (z - az) * (bx - ax) / (bz - az):
+            odd = not odd
+        length = (bx - ax) ** 2 + (bz - az) ** 2
+        along = max(0.0, min(1.0, ((x - ax) * (bx - ax) + (z - az) * (bz - az)) / length)) if length else 0.0
+        nearest = min(nearest, math.hypot(ax + along * (bx - ax) - x, az + along * (bz - az) - z))
+    return 0.0 if odd else nearest
+
+
+def faults_of_object(thing, parent, rooms, databases):
+    asset = databases.assets.get(thing["assetId"])
+    if asset is None:
+        return [f"{thing['id']} has the unknown asset {thing['assetId']}"]
+    faults = []
+    if thing["objectType"] != asset["objectType"]:
+        faults.append(f"{thing['id']} is a {thing['objectType']}, its asset a {asset['objectType']}")
+    if parent is not None:
+        holder = databases.assets.get(parent["assetId"], {})
+        if "Receptacle" not in holder.get("secondaryProperties", ()) and parent["objectType"] not in OF_PARTS:
+            faults.append(f"{parent['id']} has children and is no receptacle")
+    room = "room|" + thing["id"].split("|")[1]
+    apart = outside_by(thing["position"]["x"], thing["position"]["z"], rooms[room]) if room in rooms else math.inf
+    if apart > EDGE_M:
+        faults.append(f"{thing['id']} is {apart:.2f} m outside {room}")
+    for child in thing.get("children", ()):
+        faults += faults_of_object(child, thing, rooms, databases)
+    return faults
+
+
+def faults_of_plan(task, things, databases):
+    """What the plan does with assets that cannot do it."""
+    faults = []
+    for step in task["plan"]:
+        found = STEP.fullmatch(step["step"])
+        named = task["objects"].get(found[2]) if found else None
+        thing = things.get("|".join(named.split("|")[:3])) if named else None
+        if thing is None or named.count("|") > 2 or thing["objectType"] in OF_PARTS:
+            continue
+        asset = databases.assets.get(thing["assetId"], {})
+        if found[1] == "pick_up" and asset.get("primaryProperty") == "Static":
+            faults.append(f"{step['step']}: {thing['assetId']} cannot be picked up")
+        if found[1] in NEEDS and NEEDS[found[1]] not in asset.get("secondaryProperties", ()):
+            faults.append(f"{step['step']}: {thing['assetId']} is not {NEEDS[found[1]]}")
+    return faults
+
+
+def objects_of(things):
+    for thing in things:
+        yield thing
+        yield from objects_of(thing.get("children", ()))
+
+
+def judge(path, databases):
+    """One row: what a house has, and what is wrong with it."""
+    task = json.loads(path.read_text())
+    house = json.loads((path.parent / task["house"]).read_text())
+    rooms = {room["id"]: [(corner["x"], corner["z"]) for corner in room["floorPolygon"]] for room in house["rooms"]}
+    walls = {wall["id"] for wall in house["walls"]}
+    faults = []
+    for opening in [*house["doors"], *house["windows"]]:
+        if opening["assetId"] not in databases.holes and opening["assetId"] not in databases.assets:
+            faults.append(f"{opening['id']} has the unknown asset {opening['assetId']}")
+        faults += [f"{opening['id']}: no wall {opening[side]}" for side in ("wall0", "wall1") if opening[side] not in walls]
+        faults += [f"{opening['id']}: no room {opening[side]}" for side in ("room0", "room1") if opening[side] not in rooms]
+    for thing in house["objects"]:
+        faults += faults_of_object(thing, None, rooms, databases)
+    things = [thing["id"] for thing in objects_of(house["objects"])]
+    there = {thing["id"]: thing for thing in objects_of(house["objects"])}
+    faults += [f"{one} is there twice" for one in there if things.count(one) > 1]
+    faults += [f"{ours} is not in the house" for ours, one in task["objects"].items() if "|".join(one.split("|")[:3]) not in there]
+    faults += faults_of_plan(task, there, databases)
+    openings = len(house["doors"]) + len(house["windows"])
+    return {"task": task["task"], "rooms": len(rooms), "openings": openings, "objects": len(things), "faults": "; ".join(faults)}
+
+
+def main():
+    options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    options.add_argument("folder", type=Path, help="what `unietp export --format ai2thor` wrote")
+    options.add_argument("out", type=Path, help="a CSV file to write")
+    options = options.parse_args()
+    databases = Databases()
+    tasks = [path for path in sorted(options.folder.glob("*.json")) if not path.name.endswith(".house.json")]
+    tasks = [path for path in tasks if "objects" in json.loads((options.folder / json.loads(path.read_text())["house"]).read_text())]
+    rows = [judge(path, databases) for path in tasks]
+    right = sum(not row["faults"] for row in rows)
+    objects = sum(row["objects"] for row in rows)
+    finish(
+        rows,
+        options.out,
+        f"of {len(rows)} houses with {objects} objects, {right} agree with ProcTHOR's databases",
+        lambda row: not row["faults"],
+    )
+
+
+if __name__ == "__main__":
+    main()
