@@ -42,10 +42,6 @@ std::vector<std::vector<Action>> ways_to_close(const std::string& id, Mode mode)
   std::vector<std::vector<Action>> ways{{close}};
   for (const ActionType type : {ActionType::TurnTo, ActionType::GoTo})
     if (offers(info(type), mode)) ways.push_back({{type, {id}}, close});
-  if (mode != Mode::M3) return ways;
-  using enum ActionType;  // what is to be closed has to come into the picture first
-  for (const ActionType type : {LookDown, LookUp, TurnLeft, TurnRight, MoveBackward})
-    ways.push_back({{type, {}}, close});
   return ways;
 }
 
