@@ -154,9 +154,8 @@ void add_selection_options(CommandParser& command, EvaluateChoice& choice) {
   add_simulators_option(command, choice.simulators, "Only tasks of these simulators");
   command
       .add_option("--backend", choice.backend,
-                  "Where actions are done and goals judged: unietp, or, with the Python packages of that simulator, "
-                  "virtualhome "
-                  "(its graph simulator), ai2thor, behavior or habitat (docs/native.md)")
+                  "Where actions are done and goals judged: unietp or, with the simulator's Python packages "
+                  "(docs/native.md), virtualhome (its graph simulator), ai2thor, behavior or habitat")
       ->type_name("NAME")
       ->suggests({"unietp", "virtualhome", "ai2thor", "behavior", "habitat"})
       ->shows_default();

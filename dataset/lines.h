@@ -39,7 +39,7 @@ struct TaskEntry {
   struct Count {
     Mode mode = Mode::M1;
     int steps = 0, failures = 0;
-    int shortest = 0;  // steps without search and tidying; written in M1 only where it is not 0
+    int shortest = 0;  // of the shortest plan known, without search and tidying; written in M1 only where it is not 0
     bool operator==(const Count&) const = default;
   };
   std::vector<Count> expert;  // of its demonstrations

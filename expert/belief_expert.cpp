@@ -10,7 +10,6 @@
 #include "expert/known_world.h"
 #include "expert/search_order.h"
 #include "expert/search_tools.h"
-#include "expert/tidying.h"
 #include "simulation/relations.h"
 
 namespace unietp {
@@ -33,7 +32,7 @@ class BeliefExpert {
         window_(window),
         needs_(search_needs(problem.goal)),
         profile_(profile_in(problem.mode, problem.profile)),
-        belief_(window.known_scene(), needs_, relevant()),
+        belief_(window.known_scene(), needs_, categories_of_use(problem.goal, needs_, problem.knowledge, profile_)),
         order_(window.known_scene(), problem.knowledge, problem.usual, needs_.shut, profile_),
         known_world_(problem.knowledge, problem.profile, window),
         planner_(problem) {}
@@ -58,18 +57,6 @@ class BeliefExpert {
   void give_up(std::string why, Failure failure = Failure::NotSeenYet) {
     trouble_ = {std::move(why), failure};
     gave_up_ = true;
-  }
-
-  std::set<std::string> relevant() const {
-    std::set<std::string> all;
-    for (const std::string& category : categories_of(problem_.goal)) all.insert(category);
-    for (const WantedState& wanted : needs_.states) {
-      if (wanted.stated) continue;
-      for (const std::string& category : wanted.categories) {
-        for (std::string& tool : tools_for(wanted, category, problem_.knowledge, profile_)) all.insert(std::move(tool));
-      }
-    }
-    return all;
   }
 
   void see() {
@@ -178,11 +165,8 @@ class BeliefExpert {
     }
     if (std::exchange(strayed_, false) && !points()) (void)make_plan();  // else on with what was planned elsewhere
     Action action = planner_.rest().front();
-    if (action.type == ActionType::Stop) {
-      if (look_for_more()) return false;
-      if (!close_behind()) give_up("in search: " + trouble_.text, trouble_.failure);
-      if (gave_up_) return false;
-    }
+    if (action.type == ActionType::Stop && look_for_more()) return false;
+    empty_.clear();  // the plan closes what was opened
     const bool looks_first = acts_on_presumed(action);
     if (looks_first) action = {ActionType::TurnTo, action.args};
     if (action.type == ActionType::Stop) return window_.act(action).success;
@@ -416,7 +400,7 @@ class BeliefExpert {
   }
 
   /// Closes what was opened last if it showed nothing of use and is not what comes next; false when that failed.
-  bool close_behind(const std::string& next = {}) {
+  bool close_behind(const std::string& next) {
     if (empty_.empty() || empty_ == next) return true;
     const Action close{ActionType::Close, {std::exchange(empty_, {})}};
     if (steps_left() <= kStepsToBeTidy) return true;

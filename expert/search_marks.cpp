@@ -10,10 +10,14 @@ bool may_be_search(ActionType type) {
          type == ActionType::Close;
 }
 
-void mark_search(ExecutionTree& executions, Demonstration& demonstration) {
+ModeRules rules_of_the_told(std::size_t steps) {
   ModeRules told = rules_of(Mode::M1);
-  told.limits = rules_of(demonstration.mode).limits;
-  Rollout here(executions, told);
+  told.limits.steps = told.limits.failures = static_cast<int>(steps) + 1;
+  return told;
+}
+
+void mark_search(ExecutionTree& executions, Demonstration& demonstration) {
+  Rollout here(executions, rules_of_the_told(demonstration.steps.size()));
   for (auto step = demonstration.steps.begin(); step != demonstration.steps.end(); ++step) {
     if (!step->tidying && may_be_search(step->action.type)) {
       Rollout without = here;

@@ -1,5 +1,7 @@
 #include "expert/search_tools.h"
 
+#include <utility>
+
 #include "expert/achievers.h"
 
 namespace unietp {
@@ -36,6 +38,19 @@ std::vector<std::string> tools_for(const WantedState& wanted, const std::string&
     }
   }
   return tools;
+}
+
+std::set<std::string> categories_of_use(const Formula& goal, const SearchNeeds& needs, const Knowledge& knowledge,
+                                        const Profile& profile) {
+  std::set<std::string> all;
+  for (const std::string& category : categories_of(goal)) all.insert(category);
+  for (const WantedState& wanted : needs.states) {
+    if (wanted.stated) continue;
+    for (const std::string& category : wanted.categories) {
+      for (std::string& tool : tools_for(wanted, category, knowledge, profile)) all.insert(std::move(tool));
+    }
+  }
+  return all;
 }
 
 }  // namespace unietp

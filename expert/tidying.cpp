@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "expert/rollout.h"
+#include "expert/search_marks.h"
 
 namespace unietp {
 namespace {
@@ -63,7 +64,7 @@ std::optional<std::vector<Action>> with_steps(ExecutionTree& executions, const M
 class TidyingMarker {
  public:
   TidyingMarker(ExecutionTree& executions, Demonstration& demonstration)
-      : steps_(demonstration.steps), moments_{Rollout(executions, rules_of(Mode::M1))} {
+      : steps_(demonstration.steps), moments_{Rollout(executions, rules_of_the_told(demonstration.steps.size()))} {
     for (const DemonstrationStep& step : steps_) {
       moments_.push_back(moments_.back());
       (void)moments_.back().go_on(step.action);

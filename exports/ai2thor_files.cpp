@@ -100,8 +100,8 @@ struct ThorNeed {
   std::string_view action, affordance, words;
 };
 constexpr std::array kThorNeeds{
-    ThorNeed{"pick_up", "pickupable", "cannot be picked up"}, ThorNeed{"place_on", "receptacle", "holds nothing"},
-    ThorNeed{"place_in", "container", "holds nothing"},       ThorNeed{"open", "openable", "does not open"},
+    ThorNeed{"pick_up", "pickupable", "cannot be picked up"}, ThorNeed{"place_on", "receptacle", "cannot hold things"},
+    ThorNeed{"place_in", "container", "cannot hold things"},  ThorNeed{"open", "openable", "does not open"},
     ThorNeed{"close", "openable", "does not open"},           ThorNeed{"turn_on", "switchable", "has no switch"},
     ThorNeed{"turn_off", "switchable", "has no switch"},      ThorNeed{"slice", "sliceable", "cannot be sliced"}};
 

@@ -13,7 +13,8 @@ namespace unietp {
 /// which the home has as many as it had of the goal's, with models of the simulator where that has some, and slices for
 /// slices. Of a category of which the home has several and nothing was added, kDecoys others that it has once less come
 /// first to be given one more, in any room. For each thing of the goal that was moved, kDecoys others of the home are
-/// moved into its room; for each state that it was given, kRestatedDecoys others of the home are given it, if such
+/// moved into its room; for each state that it was given, kRestatedDecoys others of the home are given it, at most
+/// nine in all, if such
 /// things are in it at such places. All are placed as SceneEditor places things, not where the goal puts something, nor
 /// in one place, drawn among the usual ones of their category, that a task for them could have named. Nothing of a
 /// category that the task speaks of is added or moved, and nothing is added that its words could mean; nothing stays

@@ -19,8 +19,8 @@ Formula without_references(Formula goal);
 std::vector<Formula> with_an_order_reversed(const Formula& goal);
 
 /// The goal without its constraints, but with one more than one of its "exactly n" says, or more than one of its "at
-/// most n" allows: one formula for each, in order of text. What reaches it reaches the goal without its constraints,
-/// and not the goal.
+/// most n" allows: one formula for each, in order of text. What reaches it with the same things reaches the
+/// goal without its constraints, and not the goal.
 std::vector<Formula> with_one_too_many(const Formula& goal);
 
 /// What somebody takes a goal for who forgets a constraint.

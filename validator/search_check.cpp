@@ -62,6 +62,13 @@ std::optional<std::string> fault_of(const Formula& goal, InformedEpisode& here, 
   return std::nullopt;
 }
 
+/// Those of M1, but that no plan as long as this is too long or fails too often.
+ModeRules without_limits(const std::vector<Action>& plan) {
+  ModeRules rules = rules_of(Mode::M1);
+  rules.limits.steps = rules.limits.failures = static_cast<int>(plan.size()) + 1;
+  return rules;
+}
+
 }  // namespace
 
 std::vector<bool> search_steps(const Formula& goal, const World& start, const TraceMaker& traces,
@@ -69,9 +76,7 @@ std::vector<bool> search_steps(const Formula& goal, const World& start, const Tr
   std::vector<Command> commands;
   for (const Action& action : plan) commands.push_back(by_ids(action));
   std::vector<bool> search;
-  ModeRules told = rules_of(Mode::M1);
-  told.limits.steps = static_cast<int>(plan.size()) + 1;
-  InformedEpisode here{ModeEpisode(start, told), {}};
+  InformedEpisode here{ModeEpisode(start, without_limits(plan)), {}};
   for (std::size_t i = 0; i < plan.size(); ++i) {
     search.push_back(only_looks(plan[i].type) && goes_without(goal, here, traces, commands, i));
     (void)here.act(commands[i]);
@@ -82,7 +87,7 @@ std::vector<bool> search_steps(const Formula& goal, const World& start, const Tr
 std::vector<bool> tidying_steps(const Formula& goal, const World& start, const TraceMaker& traces,
                                 const std::vector<Action>& plan) {
   std::vector<Command> commands;
-  std::vector<InformedEpisode> before{{ModeEpisode(start, Mode::M1), {}}};
+  std::vector<InformedEpisode> before{{ModeEpisode(start, without_limits(plan)), {}}};
   for (const Action& action : plan) {
     commands.push_back(by_ids(action));
     before.push_back(before.back());

@@ -123,7 +123,7 @@ def _places_of(thing: int, below: dict[int, list[tuple[str, int]]]) -> list[tupl
     places = list(below.get(thing, []))
     reached = list(places)
     for _, place in reached:
-        further = [one for one in below.get(place, []) if one not in reached]
+        further = [one for one in below.get(place, []) if one not in reached and one[1] != thing]
         reached += further
         places += [one for one in further if one[0] == "inside"]
     return places

@@ -57,7 +57,7 @@ def theirs_at_the_end(graph, things, known):
         for edge in graph["edges"]
         if edge["relation_type"] in RELATIONS.values() and edge["from_id"] in known and edge["to_id"] in known
     }
-    while indirect := {(one, "INSIDE", far) for one, _, near in edges for it, rel, far in edges if it == near and rel == "INSIDE"} - edges:
+    while indirect := {(one, "INSIDE", far) for one, _, near in edges for it, rel, far in edges if it == near and rel == "INSIDE" and far != one} - edges:
         edges |= indirect
     facts = {edge for edge in edges if edge[0] in things}
     for node in graph["nodes"]:

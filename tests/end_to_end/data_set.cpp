@@ -42,7 +42,7 @@ const std::filesystem::path& small_data_set() {
 const std::filesystem::path& data_set_in_all_modes() {
   static const ScratchFolder kScratch;
   static const std::filesystem::path kFolder = [] {
-    const auto ended = run_program({"generate", "--count", std::to_string(kCountInAllModes), "--seed", "13", "--rooms",
+    const auto ended = run_program({"generate", "--count", std::to_string(kCountInAllModes), "--seed", "17", "--rooms",
                                     "5", "--objects", "25", "--modes", "M2,M3", "--splits", "atomic,compositional",
                                     "--out", kScratch.at("modes"), "--threads", "2"});
     EXPECT_EQ(ended.code, 0) << ended.out << ended.err;

@@ -3,8 +3,7 @@
 It reads the scene instances, models and stages that `unietp export --format habitat` writes, with trimesh and yourdfpy, and
 answers rays with their triangles. Nothing collides: there are no contact points. The names are habitat-sim's.
 
-habitat-lab's sim_utilities can be imported after this: what draws pictures for it is
-empty.
+habitat-lab's sim_utilities can be imported after this: what it draws pictures with is empty.
 """
 
 import enum
