@@ -67,9 +67,10 @@ struct NoiseCase {
 };
 class EvaluatePolicyNoise : public ::testing::TestWithParam<NoiseCase> {};
 
-// Of the demonstrations chosen here each action is needed, so one of n actions and `stop` succeeds with (1 - P)^n. The
-// mean of that over the tasks is the success rate, which the printed interval has to cover; and since it is the mean of
-// these tasks, not of any, the rate is as near to it as draws of these tasks are in 95 of 100 cases.
+// Of the demonstrations chosen here each action is needed, so one of n actions and `stop` succeeds with (1 - P)^n; in
+// M3, where all search, at least as often. The mean of that over the tasks is the success rate, which the printed
+// interval has to cover; and since it is the mean of these tasks, not of any, the rate is as near to it as draws of
+// these tasks are in 95 of 100 cases.
 TEST_P(EvaluatePolicyNoise, SucceedsAsOftenAsTheClosedFormSays) {
   constexpr int kRepeats = 20;
   const double kept = 1 - std::stod(GetParam().noise);
@@ -99,9 +100,12 @@ TEST_P(EvaluatePolicyNoise, SucceedsAsOftenAsTheClosedFormSays) {
   const double rate = all["success_rate"], low = all["interval"][0], high = all["interval"][1];
   const auto percent = [](double share) { return std::to_string(static_cast<int>(std::floor(100 * share + 0.5))); };
   EXPECT_THAT(ended.out, HasSubstr("[" + percent(low) + ", " + percent(high) + "]"));
-  EXPECT_LE(low, mean);
   EXPECT_GE(high, mean);
-  EXPECT_NEAR(rate, mean, 1.96 * error);
+  EXPECT_GE(rate, mean - 1.96 * error);
+  if (GetParam().mode != "M3") {  // all of M3 search, and may succeed without a look
+    EXPECT_LE(low, mean);
+    EXPECT_LE(rate, mean + 1.96 * error);
+  }
   RecordProperty("closed_form", std::to_string(mean));
   RecordProperty("rate", std::to_string(rate) + " [" + std::to_string(low) + ", " + std::to_string(high) + "]");
 }

@@ -137,12 +137,12 @@ TEST(EvaluateTalk, AsManyPicturesAreSentAsAreAskedFor) {
   EXPECT_EQ(sent("2", "multi"), (std::vector<Counts>{{1}, {1, 1}, {0, 1, 1}, {0, 0, 1, 1}}));
 }
 
-/// The numbers of the boxes in the first turn of an evaluation with these options.
+/// The numbers of the boxes in the first turns of an evaluation with these options.
 std::vector<double> boxes_shown(const std::vector<std::string>& options) {
   const ScratchFolder scratch;
   ChatServer server([](const Received&) { return completion(kStop); });
   auto all = options;
-  all.insert(all.end(), {"--images", "none"});
+  all.insert(all.end(), {"--images", "none", "--limit", "4"});  // the first may see nothing at first
   const Ended ended = evaluate(server.url, scratch.at("run"), all);
   EXPECT_EQ(ended.code, 0) << ended.err;
   std::vector<double> numbers;
