@@ -100,6 +100,25 @@ TEST_P(Tidying, IsLeftOutWhereNoStepsAreLeft) {
   EXPECT_EQ(tidied(executions, rules, needed), needed);
 }
 
+TEST_P(Tidying, IsMarkedHoweverLongThePlan) {
+  Demonstration demonstration = shown(kFromFridge);
+  const Demonstration before = demonstration;
+  DemonstrationStep turn;
+  turn.action = {ActionType::TurnLeft, {}};
+  demonstration.steps.insert(demonstration.steps.begin(), 60, turn);
+  for (DemonstrationStep& step : demonstration.steps) step.tidying = step.search = false;
+  auto executions = *ExecutionTree::of(wanted, start, knowledge, profile);
+  mark_tidying(executions, demonstration);
+  const auto marks = [](const Demonstration& of) {
+    std::vector<Action> marked;
+    for (const DemonstrationStep& step : of.steps)
+      if (step.tidying && step.action.type == ActionType::Close) marked.push_back(step.action);
+    return marked;
+  };
+  EXPECT_THAT(marks(before), ::testing::Not(IsEmpty()));
+  EXPECT_EQ(marks(demonstration), marks(before));
+}
+
 INSTANTIATE_TEST_SUITE_P(Modes, Tidying, ::testing::Values(Mode::M1, Mode::M2, Mode::M3),
                          [](const auto& param) { return std::string(name_of(param.param)); });
 
