@@ -31,7 +31,7 @@ list(TRANSFORM UNIETP_MATH_FUNCTIONS PREPEND -fno-builtin- OUTPUT_VARIABLE UNIET
 
 # Where a run spends its time. With only logic, scene and simulation at -O3 and the others at -O1, making the benchmark
 # takes a fifth more processor time, since homes are drawn by grounding.
-set(UNIETP_HOT_ROOMS core logic scene simulation generator grounding expert environment)
+set(UNIETP_HOT_ROOMS core akb sense symbolic logic scene simulation generator grounding expert environment)
 
 # A room that UNIETP_ROOMS does not name is built all the same when another room or its tests need it.
 function(need_rooms)

@@ -9,14 +9,6 @@
 namespace unietp {
 namespace {
 
-/// Visits the nodes of a scene that another, shorter or longer, does not have at the same place.
-template <class Visit>
-void each_other_node(const Scene& scene, const Scene& than, const Visit& visit) {
-  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-    if (i >= than.nodes.size() || scene.nodes[i] != than.nodes[i]) visit(i, scene.nodes[i]);
-  }
-}
-
 /// The places of what the agent holds, with what lies on or in that.
 std::vector<std::size_t> in_the_hand(const Scene& scene) {
   std::vector<std::string> ids;
@@ -34,27 +26,48 @@ std::vector<std::size_t> in_the_hand(const Scene& scene) {
 }  // namespace
 
 KnownHome::KnownHome(const Scene& known_scene, const Profile& profile)
-    : known_scene_(known_scene),
-      physics_(physics_of(known_scene, colliders_)),
+    : physics_(physics_of(known_scene, colliders_)),
       walk_(std::make_shared<const Walk>(walk_in(known_scene, profile))),
-      viewer_(known_scene) {}
+      viewer_(known_scene),
+      last_{known_scene.nodes, physics_, walk_->grid, LinkTable(known_scene, physics_)} {}
 
 KnownStart KnownHome::start() const { return {.physics = physics_, .walk = walk_, .viewer = viewer_}; }
 
-KnownStart KnownHome::of(Scene& scene) {
-  KnownStart known = start();
-  NavigationGrid grid = walk_->grid;
-  each_other_node(scene, known_scene_, [&](std::size_t i, const Node& node) {
+/// Takes over what differs from what was believed last.
+void KnownHome::believe(const Scene& scene) {
+  std::vector<std::size_t> changed;
+  std::vector<Bounds> touched;  // before and after
+  const auto touch = [&](std::size_t i) {
+    if (last_.physics.has(BodyId::node(i))) touched.push_back(last_.physics.bounds(BodyId::node(i)));
+  };
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    const Node& node = scene.nodes[i];
+    if (i < last_.nodes.size() && node == last_.nodes[i]) continue;
     const auto collider = colliders_.of(node);
-    known.physics.set(BodyId::node(i), collider, node.pose, node.movable ? node.mass : 0);
-    grid.update(i, &node, &collider->shape);
-  });
-  for (std::size_t i = scene.nodes.size(); i < known_scene_.nodes.size(); ++i) {
-    known.physics.remove(BodyId::node(i));
-    grid.update(i, nullptr, nullptr);
+    touch(i);
+    last_.physics.set(BodyId::node(i), collider, node.pose, node.movable ? node.mass : 0);
+    last_.grid.update(i, &node, &collider->shape);
+    touch(i);
+    changed.push_back(i);
   }
-  known.links = LinkTable(scene, known.physics);
-  scene.edges = known.links->edges(scene);
+  for (std::size_t i = scene.nodes.size(); i < last_.nodes.size(); ++i) {
+    touch(i);
+    last_.physics.remove(BodyId::node(i));
+    last_.grid.update(i, nullptr, nullptr);
+    last_.links.set(i, {});
+  }
+  last_.links.resize(std::max(scene.nodes.size(), last_.nodes.size()));
+  for (const std::size_t i : affected_by(last_.physics, touched, changed))
+    last_.links.set(i, links_of(scene, last_.physics, i));
+  last_.links.resize(scene.nodes.size());
+  last_.nodes = scene.nodes;
+}
+
+KnownStart KnownHome::of(Scene& scene) {
+  believe(scene);
+  scene.edges = last_.links.edges(scene);
+  KnownStart known{.physics = last_.physics, .links = last_.links, .viewer = viewer_};
+  NavigationGrid grid = last_.grid;
   if (const auto in_hand = in_the_hand(scene); !in_hand.empty()) {
     for (const std::size_t i : in_hand) grid.update(i, nullptr, nullptr);
     known.links = std::nullopt;  // which are of a home where nothing is in the hand

@@ -2,9 +2,13 @@
 
 #include <memory>
 
+#include "core/shared_list.h"
 #include "scene/scene.h"
 #include "simulation/collider.h"
 #include "simulation/known_start.h"
+#include "simulation/link_table.h"
+#include "simulation/navigation.h"
+#include "simulation/physics.h"
 #include "simulation/profile.h"
 
 namespace unietp {
@@ -18,16 +22,25 @@ class KnownHome {
 
   /// Of the home as it is known at the start.
   KnownStart start() const;
-  /// Of what is believed of it, which gets its relations. Equal to what is computed from `scene` alone. What is in the
-  /// hand has none but to what else is there.
+  /// Of what is believed of it, which gets its relations. Equal to what is computed from `scene` alone, but only what
+  /// differs from what was believed last is computed. What is in the hand has none but to what else is there.
   KnownStart of(Scene& scene);
 
  private:
-  const Scene& known_scene_;
+  /// What is computed of a home, with what is in the hand where it is held.
+  struct Believed {
+    SharedList<Node> nodes;
+    PhysicsWorld physics;
+    NavigationGrid grid;
+    LinkTable links;
+  };
+  void believe(const Scene& scene);
+
   ColliderCache colliders_;
-  PhysicsWorld physics_;
+  PhysicsWorld physics_;  // of the known scene
   std::shared_ptr<const Walk> walk_;
   Viewer viewer_;
+  Believed last_;
 };
 
 }  // namespace unietp

@@ -26,11 +26,13 @@ std::vector<Vec2> points_in(const Room& room, const Vec2& middle) {
   return points;
 }
 
+Vec2 unit(double yaw) { return {std::cos(yaw), std::sin(yaw)}; }
+
 }  // namespace
 
 RoomViews::RoomViews(const Scene& home, const Profile& profile) : turn_(profile.turn_deg * std::numbers::pi / 180) {
   const double half_height = std::tan(profile.vertical_fov_deg * std::numbers::pi / 360);
-  half_view_ = std::atan(half_height * profile.image_width / profile.image_height);
+  narrowest_ = std::cos(std::atan(half_height * profile.image_width / profile.image_height)) - kOnTheEdge;
   for (const Room& room : home.rooms) {
     Seen& seen = rooms_.emplace_back();
     seen.room = &room;
@@ -40,17 +42,18 @@ RoomViews::RoomViews(const Scene& home, const Profile& profile) : turn_(profile.
   }
 }
 
-bool RoomViews::shows(const Vec2& from, double yaw, const Vec2& point) const {
-  const Vec2 way = point - from, ahead(std::cos(yaw), std::sin(yaw));
-  if (way.norm() < kUnderfoot_m) return false;
-  return ahead.dot(way) >= (std::cos(half_view_) - kOnTheEdge) * way.norm();
+bool RoomViews::shows(const Vec2& ahead, const Vec2& way, double away) const {
+  return away >= kUnderfoot_m && ahead.dot(way) >= narrowest_ * away;
 }
 
 void RoomViews::saw(const Agent& body) {
+  const Vec2 ahead = unit(body.yaw);
   for (Seen& seen : rooms_) {
     if (!contains(seen.room->polygon, body.position)) continue;
     std::erase_if(seen.unseen, [&](const Vec2& point) {
-      return (point - body.position).norm() < kUnderfoot_m || shows(body.position, body.yaw, point);
+      const Vec2 way = point - body.position;
+      const double away = way.norm();
+      return away < kUnderfoot_m || shows(ahead, way, away);
     });
   }
 }
@@ -64,18 +67,25 @@ std::optional<RoomViews::Look> RoomViews::best(std::size_t room, const Agent& bo
   if (seen.unseen.empty()) return std::nullopt;
   const int half_round = static_cast<int>(std::lround(std::numbers::pi / turn_));
   std::optional<Look> best;
-  const auto offer = [&](const Vec2& from, Look look) {
-    const double yaw = body.yaw + look.turns * turn_;
-    const auto shown = std::count_if(seen.unseen.begin(), seen.unseen.end(),
-                                     [&](const Vec2& point) { return shows(from, yaw, point); });
+  std::vector<Vec2> ways(seen.unseen.size());
+  std::vector<double> away(seen.unseen.size());
+  const auto offer = [&](Look look) {
+    const Vec2 ahead = unit(body.yaw + look.turns * turn_);
+    int shown = 0;
+    for (std::size_t i = 0; i < ways.size(); ++i) shown += shows(ahead, ways[i], away[i]) ? 1 : 0;
     look.shows = static_cast<double>(shown) / static_cast<double>(seen.all);
     if (shown > 0 && (!best || look.shows / look.steps() > best->shows / best->steps())) best = look;
   };
   for (const bool goes : {false, true}) {
     if (!goes && !contains(seen.room->polygon, body.position)) continue;
+    const Vec2 from = goes ? seen.middle : body.position;
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+      ways[i] = seen.unseen[i] - from;
+      away[i] = ways[i].norm();
+    }
     for (int turns = goes ? 0 : 1; turns <= half_round; ++turns) {
-      offer(goes ? seen.middle : body.position, {goes, turns});
-      if (turns > 0) offer(goes ? seen.middle : body.position, {goes, -turns});
+      offer({goes, turns});
+      if (turns > 0) offer({goes, -turns});
     }
   }
   return best;

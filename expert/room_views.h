@@ -39,10 +39,12 @@ class RoomViews {
     std::vector<Vec2> unseen;
     std::size_t all = 0;
   };
-  bool shows(const Vec2& from, double yaw, const Vec2& point) const;
+  /// Whether a view along a unit vector shows what lies `way` from there.
+  bool shows(const Vec2& ahead, const Vec2& way, double away) const;
 
   std::vector<Seen> rooms_;
-  double half_view_ = 0, turn_ = 0;  // radians
+  double narrowest_ = 0;  // cosine between the middle of the picture and what is at its edge
+  double turn_ = 0;       // radians
 };
 
 }  // namespace unietp

@@ -21,7 +21,7 @@ using Names = std::vector<std::string_view>;
 
 template <class Name>
 std::vector<Name> sorted_unique(std::vector<Name> names) {
-  std::sort(names.begin(), names.end());
+  if (!std::is_sorted(names.begin(), names.end())) std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
   return names;
 }
@@ -409,14 +409,13 @@ bool each_candidate(const Parameter& parameter, const std::vector<DomainConstrai
     if (speaks_of(constraint, parameter.name) && (partial || is_complete(constraint, trial)))
       own.push_back(&constraint);
   }
-  const auto types = room ? room_types(knowledge) : std::vector<std::string>{};
+  const bool all_are_offered = !base && (room || value);
   const Wish wish(parameter, all_have);
   std::string& category = trial.back().second;
   for (const std::string_view name : names) {
     category = name;
-    const bool offers = room    ? std::binary_search(types.begin(), types.end(), category)
-                        : value ? is_word_for(parameter, category, knowledge)
-                                : wish.met_by(category, knowledge);
+    const bool offers =
+        all_are_offered || (room || value ? affords(parameter, category, knowledge) : wish.met_by(category, knowledge));
     if (!offers) continue;
     const auto holds = [&](const auto* one) { return satisfies(*one, trial, knowledge); };
     if (std::all_of(own.begin(), own.end(), holds) && !visit(category)) return false;
