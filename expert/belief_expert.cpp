@@ -288,7 +288,10 @@ class BeliefExpert {
 
   /// Where it stands after a step.
   void note_place(const Action& action) {
-    if (action.type == ActionType::GoTo) at_ = action.args.front();
+    if (action.type == ActionType::GoTo) {
+      at_ = action.args.front();
+      order_.arrived(at_, window_.body().position);
+    }
     if (info(action.type).group == ActionClass::Movement && action.args.empty()) at_.clear();
   }
 

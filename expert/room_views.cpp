@@ -8,7 +8,8 @@ namespace unietp {
 namespace {
 
 constexpr int kPointsAcross = 6;
-constexpr double kOnTheEdge = 1e-9;   // of the picture: in it, however it is rounded
+constexpr double kOnTheEdge = 1e-9;  // of the picture: in it, however it is rounded
+constexpr double kThere_m = 1e-6;
 constexpr double kUnderfoot_m = 0.3;  // what is under the feet is not looked at
 
 /// Points over a room's floor, and its middle where they miss it.
@@ -77,7 +78,8 @@ std::optional<RoomViews::Look> RoomViews::best(std::size_t room, const Agent& bo
     if (shown > 0 && (!best || look.shows / look.steps() > best->shows / best->steps())) best = look;
   };
   for (const bool goes : {false, true}) {
-    if (!goes && !contains(seen.room->polygon, body.position)) continue;
+    const bool is_there = (body.position - seen.middle).norm() < kThere_m;
+    if (goes ? is_there : !contains(seen.room->polygon, body.position)) continue;
     const Vec2 from = goes ? seen.middle : body.position;
     for (std::size_t i = 0; i < ways.size(); ++i) {
       ways[i] = seen.unseen[i] - from;

@@ -18,11 +18,13 @@ class RoomViews {
 
   /// The agent was there.
   void saw(const Agent& body);
+  /// Going to a room led there: to its middle, or beside what stands in it.
+  void arrived(std::size_t room, const Vec2& position) { rooms_[room].middle = position; }
   /// The share of a room, by its position in the scene, that was not looked at; from 0 to 1.
   double unseen(std::size_t room) const;
 
-  /// A view of a room: from where the agent stands, or from the middle of the room where it goes first; then some turns
-  /// to the left, or to the right where they are negative.
+  /// A view of a room: from where the agent stands, or from where going to the room leads, which is taken to be its
+  /// middle until the agent has arrived there; then some turns to the left, or to the right where they are negative.
   struct Look {
     bool goes = false;
     int turns = 0;
@@ -35,7 +37,7 @@ class RoomViews {
  private:
   struct Seen {
     const Room* room = nullptr;
-    Vec2 middle = Vec2::Zero();
+    Vec2 middle = Vec2::Zero();  // or where going there led
     std::vector<Vec2> unseen;
     std::size_t all = 0;
   };

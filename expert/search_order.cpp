@@ -280,6 +280,11 @@ void SearchOrder::looked_at(const std::string& id, const Belief& belief) {
   if (!is_shut(*place, belief)) ++place->looks_inside;
 }
 
+void SearchOrder::arrived(const std::string& id, const Vec2& position) {
+  const Place* place = find(id);
+  if (place != nullptr && place->category.empty()) views_.arrived(place->room, position);
+}
+
 void SearchOrder::peeked_into(const std::string& id) {
   if (Place* place = find(id)) place->peeked_into = true;
 }

@@ -64,6 +64,8 @@ class SearchOrder {
   void looked_at(const std::string& id, const Belief& belief);
   /// The agent was there.
   void stood(const Agent& body) { views_.saw(body); }
+  /// Going to a place led there.
+  void arrived(const std::string& id, const Vec2& position);
   /// It was in view; furniture that was not known is known from then on.
   void glimpsed(const Node& node, const Scene& known_scene);
   /// It cannot be gone to.

@@ -72,5 +72,25 @@ TEST(RoomViews, GoIntoARoomThatTheAgentIsNotIn) {
   EXPECT_GT(look->shows, 0);
 }
 
+TEST(RoomViews, GoOnceToARoomWhoseMiddleIsTaken) {
+  const Scene home = two_rooms();
+  RoomViews views(home, square_picture());
+  const Vec2 beside(4.4, 4.4);  // where going to the first room leads: not to its middle
+  Agent agent = at(0.4, 0.4, 0);
+  int gone = 0, looks = 0;
+  for (auto look = views.best(0, agent); look && looks < 30; look = views.best(0, agent), ++looks) {
+    if (look->goes) {
+      ++gone;
+      agent.position = beside;
+      views.arrived(0, beside);
+    }
+    agent.yaw += look->turns * std::numbers::pi / 6;
+    views.saw(agent);
+  }
+  EXPECT_LE(gone, 1);
+  EXPECT_LT(looks, 12);
+  EXPECT_EQ(views.unseen(0), 0);
+}
+
 }  // namespace
 }  // namespace unietp::testing
