@@ -4,10 +4,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <tuple>
 
 #include "expert/poses.h"
 #include "expert/rollout.h"
+#include "simulation/agent_moves.h"
+#include "simulation/solids.h"
 #include "simulation/view.h"
 
 namespace unietp {
@@ -31,6 +34,8 @@ Poses::Key key_of(const Agent& agent) {
   return {std::lround(agent.position.x() * kPlaces), std::lround(agent.position.y() * kPlaces),
           std::lround(agent.yaw * kAngles), std::lround(agent.pitch * kAngles)};
 }
+
+double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
 struct Range {
   double farthest_m;
@@ -60,7 +65,10 @@ class Search {
         target_(target),
         profile_(world_.profile()),
         standing_(standing),
-        looks_left_(looks_left) {}
+        looks_left_(looks_left),
+        radius_(sight_radius(target)),
+        half_high_(radians(profile_.vertical_fov_deg) / 2),
+        half_wide_(std::atan(std::tan(half_high_) * profile_.image_width / profile_.image_height)) {}
 
   /// `thorough`: also from small things nearby, where long steps and wide turns lead to few places.
   std::optional<std::vector<Action>> run(bool thorough) {
@@ -90,7 +98,21 @@ class Search {
   }
   void add(ReachedPose pose) {
     const auto key = key_of(pose.agent);
-    poses_.add(std::move(pose), key);
+    const double left = turns_left(pose.agent);
+    poses_.add(std::move(pose), key, left);
+  }
+  /// Turns and tilts until some of the target may be in the picture.
+  double turns_left(const Agent& agent) const {
+    const Vec3 eye(agent.position.x(), agent.position.y(), profile_.camera_height_m);
+    const double away = (target_.pose.position - eye).norm();
+    if (away <= radius_ + profile_.step_m) return 0;  // a step may bring it anywhere
+    const double own = std::asin(radius_ / away), by_a_step = std::asin(profile_.step_m / away);
+    const auto steps = [&](double aside, double half, double by_deg) {
+      return std::max(0.0, std::ceil((std::abs(aside) - half - own) / std::max(radians(by_deg), by_a_step)));
+    };
+    const Agent facing_it = facing(agent, target_.pose.position, profile_);
+    return steps(std::remainder(facing_it.yaw - agent.yaw, 2 * std::numbers::pi), half_wide_, profile_.turn_deg) +
+           steps(facing_it.pitch - agent.pitch, half_high_, profile_.look_deg);
   }
   void begin_with(const std::string& place, double cost) {
     const Action action{ActionType::GoTo, {place}};
@@ -136,6 +158,7 @@ class Search {
   const Profile& profile_;
   Viewpoint standing_;
   std::size_t& looks_left_;
+  double radius_, half_high_, half_wide_;  // of the target, meters; of the picture, radians
   int trials_ = 0;
   Poses poses_;
 };

@@ -4,9 +4,9 @@
 
 namespace unietp {
 
-void Poses::add(ReachedPose pose, const Key& key) {
+void Poses::add(ReachedPose pose, const Key& key, double left) {
   if (!known_.insert(key).second) return;
-  open_.emplace(pose.cost, poses_.size());
+  open_.emplace(pose.cost + left, poses_.size());
   poses_.push_back(std::move(pose));
 }
 

@@ -19,14 +19,14 @@ struct ReachedPose {
   Action by;
 };
 
-/// The poses of a search for a place to stand: cheapest first, of equals the one found first. The first one that is
-/// added is where the body is.
+/// The poses of a search for a place to stand: cheapest first, with what is left to do at least, of equals the one
+/// found first. The first one that is added is where the body is.
 class Poses {
  public:
   using Key = std::array<long, 4>;  // poses of equal keys are the same
 
-  /// Ignored when a pose of this key is there at no greater cost.
-  void add(ReachedPose pose, const Key& key);
+  /// Ignored when a pose of this key is there. `left`: an estimate of what it costs to go on from there to the end.
+  void add(ReachedPose pose, const Key& key, double left = 0);
   /// The next one to look at; none when all were. What is added later may still come before others.
   std::optional<std::size_t> next();
   std::size_t size() const { return poses_.size(); }
