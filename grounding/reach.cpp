@@ -158,6 +158,8 @@ bool shows_in(const Scene& scene, const std::vector<Vec2>& places, const Profile
       eye = facing(eye, node.pose.position, profile);
       eye.yaw += turn * aside;
       eye.pitch += tilt * down;
+      const auto whole = viewer.unhidden_box_of(scene, thing, eye, profile);
+      if (!whole || !shows_well(*whole)) return false;
       const auto box = viewer.box_of({scene}, thing, eye, profile);
       return box && shows_well(*box);
     });

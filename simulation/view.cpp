@@ -278,6 +278,16 @@ std::vector<VisibleObject> Viewer::view(const ViewedScene& around, const Agent& 
   return visible;
 }
 
+std::optional<PixelBox> Viewer::unhidden_box_of(const Scene& scene, std::size_t target, const Agent& eye,
+                                                const Profile& profile) {
+  const Camera camera = camera_of(eye, profile);
+  if (!camera.may_show(scene.nodes[target].pose.position, sight_radius(scene.nodes[target]))) return std::nullopt;
+  std::vector<Outline> outlines;
+  add_outlines(body_of(scene, target)->solids, camera, outlines);
+  if (outlines.empty()) return std::nullopt;
+  return cover_of(outlines);
+}
+
 std::optional<PixelBox> Viewer::box_of(const ViewedScene& around, std::size_t target, const Agent& eye,
                                        const Profile& profile) {
   const Scene& scene = around.scene;

@@ -46,6 +46,9 @@ class Viewer {
   std::vector<VisibleObject> view(const ViewedScene& around, const Agent& eye, const Profile& profile, double sight_m);
   /// The box of one object alone, without a limit of sight; nullopt when the image shows nothing of it.
   std::optional<PixelBox> box_of(const ViewedScene& around, std::size_t node, const Agent& eye, const Profile& profile);
+  /// The pixels around all that the image could show of it, if nothing hid it; nullopt when it is outside.
+  std::optional<PixelBox> unhidden_box_of(const Scene& scene, std::size_t node, const Agent& eye,
+                                          const Profile& profile);
   /// The box of one object if no object with a lesser id has the same box in the image, as far as `view` without a
   /// limit of sight would tell, at less cost.
   std::optional<PixelBox> first_with_box(const ViewedScene& around, std::size_t node, const Agent& eye,
