@@ -133,12 +133,15 @@ FinishedTask in_house(FinishedTask task, const ThorNames& names) {
     if (without(edge)) gone.edges_removed.push_back(edge);
   }
   task.start = apply(std::move(task.start), gone);
-  for (auto& step : task.shown.at(Mode::M1).steps) {
-    Delta& changes = step.changes;
+  const auto take_out = [&](Delta& changes) {
     std::erase_if(changes.nodes, [&](const Node& node) { return missing.contains(node.id); });
     std::erase_if(changes.removed, [&](const std::string& id) { return missing.contains(id); });
     std::erase_if(changes.edges_added, without);
     std::erase_if(changes.edges_removed, without);
+  };
+  for (auto& step : task.shown.at(Mode::M1).steps) {
+    take_out(step.changes);
+    for (Delta& moment : step.moments) take_out(moment);
   }
   return task;
 }
