@@ -43,7 +43,7 @@ Exit word_stats(const StatsOptions& options, const CommandLine& program) {
 /// What the goals of a data set refer to, and what of that is amiss.
 Result<ReferentCounts> counted_referents(const std::filesystem::path& folder, const std::vector<Backend>& backends,
                                          int threads) {
-  auto reader = DatasetReader::open(folder, {.modes = {}});
+  auto reader = DatasetReader::open(folder, {.modes = {}, .starts = true});
   if (!reader) return reader.error();
   ReferentCounts all;
   const auto done = for_each_task<ReferentCounts>(

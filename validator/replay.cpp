@@ -65,7 +65,7 @@ std::string fault_of(const StepRecord& step, const StepChanges& made) {
   if (made.whole != step.changes)
     return "the changes differ from the record; " + difference_of(step.changes, made.whole);
   if (made.moments.size() != step.moments.size())
-    return "the record has " + std::to_string(step.moments.size()) + " moments between, the replay " +
+    return "the record has " + std::to_string(step.moments.size()) + " moments, the replay " +
            std::to_string(made.moments.size());
   for (std::size_t i = 0; i < made.moments.size(); ++i) {
     if (made.moments[i] != step.moments[i])
