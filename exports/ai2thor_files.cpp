@@ -201,10 +201,10 @@ Result<Json> task_json(const FinishedTask& task, ThorHouse& made, const Knowledg
     start->insert(start->begin(), one);
   }
   ThorPlaces places = places_of(theirs.start, names, knowledge);
-  std::size_t at = 0;
-  for (std::size_t i = 0; i < shown.steps.size(); ++i) {
-    if (shown.steps[i].success && shown.steps[i].command.action != "stop")
-      (*plan)[at++]["holds"] = goal->holding[i + 1];
+  std::size_t at = 0, moment = 0;
+  for (const StepRecord& step : shown.steps) {
+    moment += std::max<std::size_t>(1, step.moments.size());
+    if (step.success && step.command.action != "stop") (*plan)[at++]["holds"] = goal->holding[moment];
   }
   return Json{{"format", "unietp-ai2thor/1"},
               {"task", task.record.id},

@@ -120,6 +120,8 @@ class Episode:
         self.rooms = {thing: ours for ours, thing in self.objects.items() if thing.category == "floors"}
         self.named = [name for name in self.task["objects"] if name in self.objects]  # those that are translated
         self.before = {name: set(states) for name, states in start.states.items()}  # in our physics
+        self.between: list[Facts] = []  # the states that the last action led through
+        self.watch: Callable[[], None] = lambda: None  # called at each of these
         self.cut: set[str] = set()  # wholes that are two halves now
         self.groups = {name: self._groups_of(states) for name, states in start.states.items()}
         for name, states in start.states.items():
@@ -149,7 +151,7 @@ class Episode:
 
     def act(self, action: str, args: list[str], ours: Json) -> Json:
         target = self.objects.get(args[-1]) if args else None
-        self.between: list[Facts] = []  # the states that it leads through
+        self.between = []
         self.named += [one for one in args if one in self.objects and one not in self.named and self.objects[one] not in self.rooms]
         try:
             if message := self._act(action, args, target, ours):
@@ -171,7 +173,7 @@ class Episode:
             ran = self._value(target, "ToggledOn")
             for primitive in ("TOGGLE_ON", "SOAK_UNDER"):
                 self._do(primitive, target)
-                self.between.append(self._read())
+                self._pass()
             self._do("TOGGLE_ON" if ran else "TOGGLE_OFF", target)
         elif action in INSIDE_DEVICE:
             self._put_for_a_while(target, ours)
@@ -209,7 +211,7 @@ class Episode:
 
         def do(primitive: str, thing: Any = device) -> None:
             self._do(primitive, thing)
-            self.between.append(self._read())
+            self._pass()
 
         held, was_open, ran = self._held(), self._value(device, "Open"), self._value(device, "ToggledOn")
         heat = device.states.get(self.gibson.states.HeatSourceOrSink)
@@ -227,7 +229,7 @@ class Episode:
         if ran is False:
             do("TOGGLE_ON")
         self._wait(ours)
-        self.between.append(self._read())
+        self._pass()
         if ran is False:
             do("TOGGLE_OFF")
         if was_open is not None:
@@ -235,6 +237,10 @@ class Episode:
         do("GRASP", held)
         if was_open is False:
             do("CLOSE")
+
+    def _pass(self) -> None:
+        self.between.append(self._read())
+        self.watch()
 
     def _wait(self, ours: Json) -> None:
         """Lets time pass until what becomes hot, cold or done in our physics is so here, too."""
