@@ -9,8 +9,11 @@
 #include "cli/commands.h"
 #include "cli/common_options.h"
 #include "core/text.h"
+#include "record/dataset_reader.h"
 #include "report/figure_table.h"
 #include "report/word_figures.h"
+#include "resources/resources.h"
+#include "validator/referents.h"
 
 namespace unietp {
 namespace {
@@ -18,7 +21,7 @@ namespace {
 struct StatsOptions {
   std::vector<std::filesystem::path> folders;
   int threads = 1, rows = 25;
-  bool json = false, words = false, usual = false;
+  bool json = false, words = false, usual = false, referents = false;
 };
 
 /// The figures of how the instructions ask for things, beside those of people.
@@ -34,6 +37,48 @@ Exit word_stats(const StatsOptions& options, const CommandLine& program) {
     sets.emplace_back(set->name, word_figures(*texts));
   }
   std::fputs(word_table(sets, *human).c_str(), stdout);
+  return Exit::Ok;
+}
+
+/// What the goals of a data set refer to, and what of that is amiss.
+Result<ReferentCounts> counted_referents(const std::filesystem::path& folder, const std::vector<Backend>& backends,
+                                         int threads) {
+  auto reader = DatasetReader::open(folder, {.modes = {}, .starts = true});
+  if (!reader) return reader.error();
+  ReferentCounts all;
+  const auto done = for_each_task<ReferentCounts>(
+      std::move(*reader), threads,
+      [&](const FinishedTask& task) -> Result<ReferentCounts> {
+        ReferentCounts own;
+        const Formula& goal = task.record.goal_tree;
+        const Profile& profile = backends[static_cast<std::size_t>(task.start.simulator)].profile;
+        for (const Referents& one : referents_of(goal, task.start, to_logic(task.start, {}, true), profile))
+          own.add(one);
+        return own;
+      },
+      [&](ReferentCounts&& own) -> Result<Done> {
+        all.add(own);
+        return Done{};
+      });
+  if (!done) return done.error();
+  return all;
+}
+
+Exit referent_stats(const StatsOptions& options, const CommandLine& program) {
+  const auto known = load_backends(program.folders);
+  if (!known.errors.empty()) return refuse(known.errors);
+  for (const auto& folder : options.folders) {
+    const auto set = read_finished_set(folder);
+    if (!set) return refuse(set.error());
+    const auto counts = counted_referents(folder, known.backends, options.threads);
+    if (!counts) return refuse(counts.error());
+    std::printf("%s\n  %d referents of %d phrases\n", set->name.c_str(), counts->referents, counts->phrases);
+    for (const auto& [kind, count] : counts->by_kind) std::printf("    %s: %d\n", kind.c_str(), count);
+    std::printf(
+        "  beyond a wall: %d\n  phrases that mean another thing on foot: %d\n"
+        "  without something that differs in just what the phrase says: %d\n",
+        counts->beyond_wall, counts->rivals, counts->without_alternative);
+  }
   return Exit::Ok;
 }
 
@@ -83,6 +128,7 @@ Exit usual_stats(const StatsOptions& options, const CommandLine& program) {
 Exit stats(const StatsOptions& options, const CommandLine& program) {
   if (options.words) return word_stats(options, program);
   if (options.usual) return usual_stats(options, program);
+  if (options.referents) return referent_stats(options, program);
   const auto known = load_backends(program.folders);
   if (!known.errors.empty()) return refuse(known.errors);
   std::vector<const Knowledge*> knowledge;
@@ -113,6 +159,8 @@ void add_stats_command(CommandParser& app, CommandLine& program) {
        {"unietp stats out/benchmark out/training", "side by side"},
        {"unietp stats out/mine --rows 200", "longer tables"},
        {"unietp stats out/mine --words", "how its instructions ask, beside how people do"},
+       {"unietp stats out/mine --referents",
+        "what phrases such as \"the mug nearest to the sink\" mean, and what is amiss"},
        {"unietp stats out/training --usual", "which categories could be in a goal that makes sense, but are in none"},
        {"unietp stats out/mine --json > statistics.json", ""},
        {"unietp stats out/training --usual --json > usual.json", "with --usual, those figures as JSON"}});
@@ -122,6 +170,8 @@ void add_stats_command(CommandParser& app, CommandLine& program) {
   command->add_flag("--words", options->words, "Print how instructions ask for things, beside goals that people wrote");
   command->add_flag("--usual", options->usual,
                     "Print how many of the categories with usual goals are in a goal, and the others (a minute)");
+  command->add_flag("--referents", options->referents,
+                    "Print how many things referring phrases mean, by what they say, and how many cannot be told so");
   command->add_flag("--json", options->json, "Print JSON with all rows");
   command->callback([options, &program] { program.exit = stats(*options, program); });
 }

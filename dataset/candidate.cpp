@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 StepEntry step_entry(const DemonstrationStep& step) {
   return {step.command,          step.outcome.success, name_of(step.outcome.failure),
           step.outcome.feedback, step.visible,         step.changes,
-          step.search,           step.tidying};
+          step.moments,          step.search,          step.tidying};
 }
 
 /// Key of what is done in which start: equal starts of a home have equal texts of their changes.

@@ -105,6 +105,12 @@ void write_step(JsonText& json, const StepEntry& step) {
   json.close_list();
   json.key("changes");
   json.raw(delta_to_json(step.changes));
+  if (!step.moments.empty()) {
+    json.key("moments");
+    json.open_list();
+    for (const Delta& moment : step.moments) json.raw(delta_to_json(moment));
+    json.close_list();
+  }
   json.close_object();
 }
 

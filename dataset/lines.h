@@ -56,6 +56,7 @@ struct StepEntry {
   std::string_view failure, feedback;
   const std::vector<VisibleObject>& visible;
   const Delta& changes;
+  const std::vector<Delta>& moments;  // written where there are any
   bool search = false;
   bool tidying = false;  // written where it is true
 };

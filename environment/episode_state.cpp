@@ -67,18 +67,34 @@ std::optional<SimulatorAnswer> EpisodeState::ask(const Action& action, const Del
     broken = format(answer.error());
     return std::nullopt;
   }
-  if (answer->success) theirs = apply(std::move(theirs), answer->changes);
+  if (answer->success) read_theirs(*answer);
   return std::move(*answer);
 }
 
-void EpisodeState::read(const Delta& changes) {
-  if (task->compares_later) {
-    const Scene& scene = judged_scene();
-    facts = with_comparisons(reader.read(scene), scene, reader, task->compared);
-  } else {
-    facts = reader.read(std::move(facts), changes);
-  }
+void EpisodeState::read(const Delta& changes, const Scene* scene) {
+  facts = scene != nullptr ? with_comparisons(reader.read(*scene), *scene, reader, task->compared)
+                           : reader.read(std::move(facts), changes);
   monitor.observe(reader.entities(), facts);
+}
+
+void EpisodeState::read_own() {
+  const World& world = episode.world();
+  for (const PassedMoment& passed : world.passed()) {
+    const World then = world.at(passed.moment);
+    read(passed.changes, task->compares_later ? &then.scene() : nullptr);
+  }
+  if (world.passed().empty() && !world.changes().empty())
+    read(world.changes(), task->compares_later ? &world.scene() : nullptr);
+}
+
+void EpisodeState::read_theirs(const SimulatorAnswer& answer) {
+  const auto next = [this](const Delta& changes) {
+    if (changes.empty()) return;
+    theirs = apply(std::move(theirs), changes);
+    read(changes, task->compares_later ? &theirs : nullptr);
+  };
+  if (answer.moments.empty()) next(answer.changes);
+  for (const Delta& moment : answer.moments) next(moment);
 }
 
 void EpisodeState::observe(std::vector<ActionReport> results) {
@@ -127,22 +143,22 @@ void StepInProgress::act(const AnsweredAction& action) {
   Command command = command_of(action);
   ModeEpisode& episode = state_.episode;
   const int steps_before = episode.steps();
-  const MomentId before = episode.world().moment();
   std::optional<ModeEpisode> kept;  // to go back to when the simulator refuses
   if (state_.simulator) kept = episode.apart();
   Outcome outcome = episode.step(command);
   Delta changes;
+  std::vector<Delta> moments;
   std::optional<SimulatorAnswer> theirs;
-  if (!state_.simulator && episode.world().moment() != before) {
+  if (!state_.simulator && outcome.success) {
     changes = episode.world().changes();
-    state_.read(changes);
+    if (!episode.world().passed().empty()) moments = episode.world().changes_by_moment();
+    state_.read_own();
   } else if (state_.simulator && outcome.success && !episode.world().stopped()) {
-    const bool moved = episode.world().moment() != before;
-    theirs = state_.ask(episode.last_action(), moved ? episode.world().changes() : Delta());
+    theirs = state_.ask(episode.last_action(), episode.world().changes());
     if (!theirs) return;
     if (theirs->success) {
       changes = theirs->changes;
-      if (!changes.empty()) state_.read(changes);
+      moments = theirs->moments;
     } else {
       episode = std::move(*kept);
       outcome = episode.refuse("");
@@ -156,6 +172,7 @@ void StepInProgress::act(const AnsweredAction& action) {
     if (state_.done->size() > kActionsKept) state_.done.reset();
   }
   note(std::move(command), std::move(outcome), std::move(changes), steps_before);
+  result_.executed.back().moments = std::move(moments);
   result_.executed.back().simulator = std::move(theirs);
 }
 

@@ -35,8 +35,12 @@ struct EpisodeState {
   const Scene& judged_scene() const { return simulator ? theirs : episode.world().scene(); }
   /// What the simulator makes of an action, with its state kept up; nullopt when it does not answer.
   std::optional<SimulatorAnswer> ask(const Action& action, const Delta& ours);
-  /// Reads the goal after a step that changed something.
-  void read(const Delta& changes);
+  /// Reads the goal at the next moment: what changed, and where comparisons are to be made, the scene as it is then.
+  void read(const Delta& changes, const Scene* scene);
+  /// Reads it at all moments that the last step of our physics led through.
+  void read_own();
+  /// Reads it at all moments of the simulator's last answer.
+  void read_theirs(const SimulatorAnswer& answer);
   /// Makes the observation of the present state; `results`: what was executed since the one before.
   void observe(std::vector<ActionReport> results);
 

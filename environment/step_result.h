@@ -14,10 +14,11 @@ namespace unietp {
 
 /// What one executed action came to, for programs: not part of what the agent is told.
 struct ExecutedAction {
-  Command command;      // as the mode took it; empty for an answer that could not be read
-  Outcome outcome;      // success, kind of failure, the sentence of the mode, whatever `feedback` is set to
-  Delta changes;        // of the scene that the goal is judged on
-  bool counted = true;  // as a step; an invalid action is not when those are free
+  Command command;                  // as the mode took it; empty for an answer that could not be read
+  Outcome outcome;                  // success, kind of failure, the sentence of the mode, whatever `feedback` is set to
+  Delta changes;                    // of the scene that the goal is judged on
+  bool counted = true;              // as a step; an invalid action is not when those are free
+  std::vector<Delta> moments = {};  // the changes from moment to moment, where it passed through several; else empty
   std::optional<SimulatorAnswer> simulator = {};  // what it said, where there is one and it was asked
 };
 

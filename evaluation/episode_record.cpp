@@ -45,10 +45,13 @@ Json action_json(const EpisodeAction& action) {
   json["failure"] = action.failure;
   json["feedback"] = action.feedback;
   json["counted"] = action.counted;
-  if (action.simulator)
-    json["simulator"] = {{"success", action.simulator->success},
-                         {"message", action.simulator->message},
-                         {"changes", Json::parse(delta_to_json(action.simulator->changes))}};
+  if (action.simulator) {
+    Json& simulator = json["simulator"] = {{"success", action.simulator->success},
+                                           {"message", action.simulator->message},
+                                           {"changes", Json::parse(delta_to_json(action.simulator->changes))}};
+    for (const Delta& moment : action.simulator->moments)
+      simulator["moments"].push_back(Json::parse(delta_to_json(moment)));
+  }
   return json;
 }
 
@@ -82,6 +85,7 @@ SimulatorAnswer read_simulator(JsonReader& reader, const JsonAt& at) {
   if (const auto f = fields.required("success")) answer.success = reader.boolean(*f);
   if (const auto f = fields.required("message")) answer.message = text_or_empty(reader, *f);
   if (const auto f = fields.required("changes")) answer.changes = read_part(reader, *f, delta_from_json, f->json);
+  if (const auto f = fields.optional("moments")) answer.moments = read_moments(reader, *f);
   fields.finish();
   return answer;
 }

@@ -141,6 +141,17 @@ void read_edges(JsonReader& reader, const JsonAt& at, std::vector<Edge>& edges) 
   std::sort(edges.begin(), edges.end());
 }
 
+/// What changed of a state.
+void read_change(JsonReader& reader, JsonFields& fields, const Scene& now, const Delta& ours, Delta& changes) {
+  if (const auto f = fields.required("states")) read_states(reader, *f, now, ours, changes);
+  if (const auto f = fields.required("edges_added")) read_edges(reader, *f, changes.edges_added);
+  if (const auto f = fields.required("edges_removed")) read_edges(reader, *f, changes.edges_removed);
+  if (const auto f = fields.optional("held")) {
+    changes.agent = now.agent;
+    changes.agent->held = reader.texts(*f);
+  }
+}
+
 }  // namespace
 
 Result<SimulatorAnswer> read_simulator_answer(std::string_view line, int id, const Scene& now, const Delta& ours) {
@@ -148,13 +159,19 @@ Result<SimulatorAnswer> read_simulator_answer(std::string_view line, int id, con
   const auto read = SimulatorProgram::read_call(line, id, [&](JsonReader& reader, JsonFields& fields) {
     if (const auto f = fields.required("success")) answer.success = reader.boolean(*f);
     if (const auto f = fields.required("message")) answer.message = text_or_empty(reader, *f);
-    if (const auto f = fields.required("states")) read_states(reader, *f, now, ours, answer.changes);
-    if (const auto f = fields.required("edges_added")) read_edges(reader, *f, answer.changes.edges_added);
-    if (const auto f = fields.required("edges_removed")) read_edges(reader, *f, answer.changes.edges_removed);
-    if (const auto f = fields.optional("held")) {
-      answer.changes.agent = now.agent;
-      answer.changes.agent->held = reader.texts(*f);
+    read_change(reader, fields, now, ours, answer.changes);
+    const auto moments = fields.optional("moments");
+    Scene then = moments ? now : Scene();
+    const std::size_t count = moments ? reader.items(*moments) : 0;
+    for (std::size_t i = 0; i < count && !reader.error(); ++i) {
+      const JsonAt item = reader.item(*moments, i);
+      JsonFields own(reader, item);
+      read_change(reader, own, then, ours, answer.moments.emplace_back());
+      own.finish();
+      then = apply(std::move(then), answer.moments.back());
     }
+    if (count > 0 && !difference(then, apply(now, answer.changes)).empty())
+      reader.fail(*moments, "expected moments that lead to what changed as a whole");
   });
   if (!read) return read.error();
   return answer;

@@ -79,16 +79,17 @@ bool Attempt::act(Action action) {
     return false;
   }
   const World back = world_;
+  const std::size_t states_before = trace_.states.size();
+  const std::vector<bool> come_before = come_;
   const ActionResult outcome = executions_->step(world_, action);
   if (outcome.success) {
-    trace_.states.push_back(executions_->facts(world_));
     trace_.entities.follow(executions_->entities());
-    if (keeps_hold()) {
-      mark_moments();
+    if (passes_all()) {
       actions_.push_back(std::move(action));
       return true;
     }
-    trace_.states.pop_back();
+    trace_.states.resize(states_before);
+    come_ = come_before;
     world_ = back;
     trouble_ = Trouble{RejectionReason::ActionFailed, action, Failure::None,
                        to_text(action) + " would break what has to be kept"};
@@ -100,6 +101,22 @@ bool Attempt::act(Action action) {
     give_up(std::move(action), RejectionReason::TooManyFailures, "the last of them " + trouble_->text);
   }
   return false;
+}
+
+/// Takes in one more moment; false when it breaks a truth to keep.
+bool Attempt::passes(const Facts& facts) {
+  trace_.states.push_back(facts);
+  if (!keeps_hold()) return false;
+  mark_moments();
+  return true;
+}
+
+/// Takes in all moments that the last action led through.
+bool Attempt::passes_all() {
+  const auto& passed = world_.passed();
+  if (passed.empty()) return passes(executions_->facts(world_));
+  return std::all_of(passed.begin(), passed.end(),
+                     [this](const PassedMoment& one) { return passes(executions_->facts(one.moment)); });
 }
 
 bool Attempt::keeps_hold() const {

@@ -64,6 +64,8 @@ class Attempt {
 
  private:
   void give_up(Action action, RejectionReason reason, std::string text);
+  bool passes(const Facts& facts);
+  bool passes_all();
   bool keeps_hold() const;
   void mark_moments();
   std::optional<EntityIndex> current(EntityIndex entity) const;

@@ -255,15 +255,21 @@ class BeliefExpert {
   }
 
   /// Whether it switches or moves a door of furniture whose state nobody has seen yet: that is looked at first.
-  bool acts_on_presumed(const Action& action) const {
+  bool acts_on_presumed(const Action& action) {
     const bool depends = action.type == ActionType::TurnOn || action.type == ActionType::TurnOff ||
                          action.type == ActionType::Open || action.type == ActionType::Close;
     if (!depends || action.args.empty() || looked_for_.contains(action.args.front()) ||
         belief_.has_seen(action.args.front()))
       return false;
-    World trial = *planner_.foreseen();
+    const World* here = foreseen();
+    if (here == nullptr) return false;
+    World trial = *here;
     return trial.step({ActionType::TurnTo, action.args}).success;
   }
+
+  /// The home as it should be after all that was done, the agent where that led; nullptr where it cannot be built. The
+  /// planner's copy stands still in M3, where the way to each step is found here.
+  World* foreseen() { return points() ? known_world_.world() : planner_.foreseen(); }
 
   /// All is done that was seen to be needed. One look more where there may well be more of what the goal speaks of all
   /// of; false when that is not worth it.
@@ -279,11 +285,11 @@ class BeliefExpert {
 
   /// Takes in what an action must have changed.
   void foresee(const Action& action) {
-    World* foreseen = points() ? known_world_.world() : planner_.foreseen();
-    if (foreseen == nullptr) return;
-    (void)foreseen->step(action);
-    planner_.did(action, foreseen->changes());
-    belief_.foresee(foreseen->changes());
+    World* const home = foreseen();
+    if (home == nullptr) return;
+    (void)home->step(action);
+    planner_.did(action, home->changes());
+    belief_.foresee(home->changes());
   }
 
   /// Where it stands after a step.
@@ -297,8 +303,8 @@ class BeliefExpert {
 
   /// Where the last action should have led.
   Vec2 led_to() {
-    const World* foreseen = points() ? known_world_.world() : planner_.foreseen();
-    return foreseen == nullptr ? window_.body().position : foreseen->agent().position;
+    const World* home = foreseen();
+    return home == nullptr ? window_.body().position : home->agent().position;
   }
 
   bool act_as_planned(const Action& action) {

@@ -39,7 +39,8 @@ class BeliefPlanner {
   void advance() { ++next_; }
   /// An action was done, which changed this.
   void did(const Action& action, const Delta& changes);
-  /// Where the plan should have led by now; nullptr before the first.
+  /// Where the plan should have led by now, as far as it was followed here (the caller steps it); nullptr before the
+  /// first.
   World* foreseen() const { return foreseen_.get(); }
 
   /// No plan was made, since what was done does not work in the home that is believed now.

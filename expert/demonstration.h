@@ -17,8 +17,9 @@ struct DemonstrationStep {
   Command command;                     // how an agent of the mode says it
   Outcome outcome;
   Delta changes;
-  bool search = false;   // only served to see something (search_marks.h)
-  bool tidying = false;  // only closes what was opened before (tidying.h)
+  std::vector<Delta> moments = {};  // from moment to moment, where the action passes through several; else empty
+  bool search = false;              // only served to see something (search_marks.h)
+  bool tidying = false;             // only closes what was opened before (tidying.h)
 };
 
 /// An executed plan under the rules of a mode.

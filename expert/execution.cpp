@@ -59,7 +59,11 @@ Demonstration record(ExecutionTree& executions, Mode mode, const std::vector<Act
     step.action = action;
     step.command = std::move(*command);
     step.outcome = rollout.go_on(action);
-    if (step.outcome.success) step.changes = rollout.episode().world().changes();
+    if (step.outcome.success) {
+      const World& world = rollout.episode().world();
+      step.changes = world.changes();
+      if (!world.passed().empty()) step.moments = world.changes_by_moment();
+    }
     demonstration.steps.push_back(std::move(step));
   }
   return demonstration;

@@ -64,10 +64,19 @@ ActionResult ExecutionTree::step(World& world, const Action& action) {
 }
 
 void ExecutionTree::read(MomentId before, const World& world) {
-  const std::size_t now = world.moment().index();
-  if (now >= facts_.size()) facts_.resize(now + 1);
-  if (!facts_[now])
-    facts_[now] = compares_later_ ? read(world.scene()) : reader_.read(*facts_[before.index()], world.changes());
+  const auto& passed = world.passed();
+  if (passed.empty()) return read(before, world, world.changes());
+  for (const PassedMoment& one : passed) {
+    read(before, world.at(one.moment), one.changes);
+    before = one.moment;
+  }
+}
+
+void ExecutionTree::read(MomentId before, const World& now, const Delta& changes) {
+  const std::size_t place = now.moment().index();
+  if (place >= facts_.size()) facts_.resize(place + 1);
+  if (!facts_[place])
+    facts_[place] = compares_later_ ? read(now.scene()) : reader_.read(*facts_[before.index()], changes);
 }
 
 bool ExecutionTree::reaches_goal(std::vector<MomentId> moments) {

@@ -52,7 +52,8 @@ class ExecutionTree {
   /// Takes in a world that came from the moment `before` by one step, whoever did it.
   void read(MomentId before, const World& world);
   /// What the logic sees in such a world.
-  const Facts& facts(const World& world) const { return *facts_[world.moment().index()]; }
+  const Facts& facts(const World& world) const { return facts(world.moment()); }
+  const Facts& facts(MomentId moment) const { return *facts_[moment.index()]; }
 
   /// Truth of the goal, by the direct evaluator, on the trace of these moments, of which the first is the start.
   bool reaches_goal(std::vector<MomentId> moments);
@@ -62,6 +63,7 @@ class ExecutionTree {
                 NodeIndex places, std::optional<ReadScene> read, World world);
   Facts read(const Scene& scene);
   Facts compared(Facts facts, const Scene& scene) const;
+  void read(MomentId before, const World& now, const Delta& changes);
 
   const Formula* goal_;
   const Scene* start_;

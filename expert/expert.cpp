@@ -96,7 +96,9 @@ std::string missing_after(ExecutionTree& executions, const std::vector<Action>& 
   World world = executions.world();
   monitor.observe(executions.entities(), executions.facts(world));
   for (const Action& action : actions) {
-    (void)executions.step(world, action);
+    if (!executions.step(world, action).success) continue;
+    for (const PassedMoment& passed : world.passed())
+      monitor.observe(executions.entities(), executions.facts(passed.moment));
     monitor.observe(executions.entities(), executions.facts(world));
   }
   return monitor.missing();

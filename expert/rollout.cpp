@@ -28,6 +28,7 @@ Outcome Rollout::go_on(const Action& action) {
   Outcome outcome = do_in(episode_, action);
   if (!outcome.success) return outcome;
   executions_->read(moments_.back(), episode_.world());
+  for (const PassedMoment& passed : episode_.world().passed()) moments_.push_back(passed.moment);
   moments_.push_back(episode_.world().moment());
   done_.push_back(action);
   return outcome;

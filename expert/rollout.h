@@ -36,7 +36,7 @@ class Rollout {
  private:
   ExecutionTree* executions_;
   ModeEpisode episode_;
-  std::vector<MomentId> moments_;  // the start, then one after each action that succeeded
+  std::vector<MomentId> moments_;  // the start, then those that each successful action led through
   std::vector<Action> done_;
 };
 

@@ -61,29 +61,25 @@ std::optional<std::vector<Action>> with_steps(ExecutionTree& executions, const M
   return std::nullopt;
 }
 
+/// Each step is judged without those that are marked already, so that all of them can be missed together.
 class TidyingMarker {
  public:
   TidyingMarker(ExecutionTree& executions, Demonstration& demonstration)
-      : steps_(demonstration.steps), moments_{Rollout(executions, rules_of_the_told(demonstration.steps.size()))} {
-    for (const DemonstrationStep& step : steps_) {
-      moments_.push_back(moments_.back());
-      (void)moments_.back().go_on(step.action);
-    }
-  }
+      : steps_(demonstration.steps), start_(executions, rules_of_the_told(demonstration.steps.size())) {}
 
   void mark() {
     std::set<std::string> opened;
     for (std::size_t i = 0; i < steps_.size(); ++i) {
       const Action& action = steps_[i].action;
       if (action.type == ActionType::Open) opened.insert(action.args.front());
-      if (action.type == ActionType::Close && opened.contains(action.args.front()) && can_be_missed(i)) mark_close(i);
+      if (action.type == ActionType::Close && opened.contains(action.args.front())) mark_close(i);
     }
   }
 
  private:
   void mark_close(std::size_t i) {
-    steps_[i].tidying = true;
-    while (i > 0 && only_leads_somewhere(steps_[i - 1].action.type) && can_be_missed(i - 1)) steps_[--i].tidying = true;
+    if (!mark_if_missed(i)) return;
+    while (i > 0 && only_leads_somewhere(steps_[i - 1].action.type) && mark_if_missed(i - 1)) --i;
   }
 
   static bool only_leads_somewhere(ActionType type) {
@@ -91,14 +87,16 @@ class TidyingMarker {
     return group == ActionClass::Movement || group == ActionClass::Reach;
   }
 
-  bool can_be_missed(std::size_t i) const {
-    Rollout without = moments_[i];
-    for (std::size_t k = i + 1; k < steps_.size(); ++k) (void)without.go_on(steps_[k].action);
-    return without.reaches_goal();
+  bool mark_if_missed(std::size_t i) {
+    steps_[i].tidying = true;
+    Rollout without = start_;
+    for (const DemonstrationStep& step : steps_)
+      if (!step.tidying) (void)without.go_on(step.action);
+    return steps_[i].tidying = without.reaches_goal();
   }
 
   std::vector<DemonstrationStep>& steps_;
-  std::vector<Rollout> moments_;  // before each step
+  Rollout start_;
 };
 
 }  // namespace

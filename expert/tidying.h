@@ -20,7 +20,7 @@ std::vector<Action> tidied(ExecutionTree& executions, const ModeRules& rules, st
 
 /// Marks the steps that only close what the demonstration opened before: a `close` without which the rest, done by one
 /// who has been told where everything is, reaches the goal as well, and the steps right before it that only lead there.
-/// Each is left out alone.
+/// Each is judged without those that are marked before it, so that all of them can be left out together.
 void mark_tidying(ExecutionTree& executions, Demonstration& demonstration);
 
 }  // namespace unietp

@@ -133,12 +133,15 @@ FinishedTask in_house(FinishedTask task, const ThorNames& names) {
     if (without(edge)) gone.edges_removed.push_back(edge);
   }
   task.start = apply(std::move(task.start), gone);
-  for (auto& step : task.shown.at(Mode::M1).steps) {
-    Delta& changes = step.changes;
+  const auto take_out = [&](Delta& changes) {
     std::erase_if(changes.nodes, [&](const Node& node) { return missing.contains(node.id); });
     std::erase_if(changes.removed, [&](const std::string& id) { return missing.contains(id); });
     std::erase_if(changes.edges_added, without);
     std::erase_if(changes.edges_removed, without);
+  };
+  for (auto& step : task.shown.at(Mode::M1).steps) {
+    take_out(step.changes);
+    for (Delta& moment : step.moments) take_out(moment);
   }
   return task;
 }
@@ -198,10 +201,10 @@ Result<Json> task_json(const FinishedTask& task, ThorHouse& made, const Knowledg
     start->insert(start->begin(), one);
   }
   ThorPlaces places = places_of(theirs.start, names, knowledge);
-  std::size_t at = 0;
-  for (std::size_t i = 0; i < shown.steps.size(); ++i) {
-    if (shown.steps[i].success && shown.steps[i].command.action != "stop")
-      (*plan)[at++]["holds"] = goal->holding[i + 1];
+  std::size_t at = 0, moment = 0;
+  for (const StepRecord& step : shown.steps) {
+    moment += std::max<std::size_t>(1, step.moments.size());
+    if (step.success && step.command.action != "stop") (*plan)[at++]["holds"] = goal->holding[moment];
   }
   return Json{{"format", "unietp-ai2thor/1"},
               {"task", task.record.id},

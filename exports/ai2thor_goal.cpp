@@ -184,8 +184,7 @@ std::vector<ThorPiece> thor_pieces(const FinishedTask& task, const ThorNames& na
 Result<ThorGoal> thor_goal(const FinishedTask& task, ThorNames names, const std::vector<ThorPiece>& pieces,
                            const Knowledge& knowledge) {
   const Formula& goal = task.record.goal_tree;
-  std::vector<Delta> changes;
-  for (const auto& step : task.shown.at(Mode::M1).steps) changes.push_back(step.changes);
+  const std::vector<Delta> changes = changes_by_moment(task.shown.at(Mode::M1));
   const bool with_comparisons = reads_comparisons(goal);
   if (holds(goal, to_logic(task.start, {}, with_comparisons)))
     return thor_lacks("among what is in the house its goal holds at the start");

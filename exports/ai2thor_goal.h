@@ -16,7 +16,7 @@ namespace unietp {
 struct ThorGoal {
   std::string formula;                            // as LTLf (ltlf_formula.h) has it
   std::string propositions;                       // JSON: `{"name", "predicate", "arguments", "test"}` for each
-  std::vector<std::vector<std::string>> holding;  // for the start and after each step, names of those that hold
+  std::vector<std::vector<std::string>> holding;  // for the start and each moment after it, names of those that hold
   std::set<std::string> objects;                  // ids of the objects that it names
 };
 

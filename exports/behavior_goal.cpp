@@ -112,8 +112,7 @@ Result<BehaviorGoal> behavior_goal(const FinishedTask& task, const Knowledge& kn
                                    const BddlNames& names, const BddlNames& floors) {
   const Formula& tree = task.record.goal_tree;
   const HalvedTrace halved = halved_trace(task, knowledge);
-  std::vector<Delta> changes;
-  for (const auto& step : task.shown.at(Mode::M1).steps) changes.push_back(step.changes);
+  const std::vector<Delta> changes = changes_by_moment(task.shown.at(Mode::M1));
   if (!halved.halves.empty()) {
     const Trace ours = to_logic(task.start, changes, reads_comparisons(tree));
     for (std::size_t n = 1; n <= ours.states.size(); ++n) {

@@ -84,13 +84,12 @@ HalvedTrace halved_trace(const FinishedTask& task, const Knowledge& knowledge) {
       if (whole != made.halves.end()) whole->second.second = node.id;
     }
   }
-  std::vector<Delta> changes;
+  std::vector<Delta> changes = changes_by_moment(shown);
   std::set<std::string> cut;
   Scene scene = task.start;
-  for (const auto& step : shown.steps) {
-    changes.push_back(step.changes);
-    scene = apply(std::move(scene), step.changes);
-    add_first_halves(changes.back(), scene, made.halves, cut);
+  for (Delta& change : changes) {
+    scene = apply(std::move(scene), change);
+    add_first_halves(change, scene, made.halves, cut);
   }
   // Halves of what is never cut are entities of the start that never exist.
   Scene start = task.start;

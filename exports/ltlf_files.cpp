@@ -22,13 +22,11 @@ bool made_by_cutting(const std::string& category, const Scene& start, const Know
   });
 }
 
-/// Names of the propositions that hold in each state of a demonstration, the start first.
+/// Names of the propositions that hold at each moment of a demonstration, the start first.
 Json trace_of(const FinishedTask& task, const DemonstrationRecord& demonstration, const LtlfGoal& goal,
               bool with_comparisons) {
-  std::vector<Delta> changes;
-  for (const auto& step : demonstration.steps) changes.push_back(step.changes);
   auto states = Json::array();
-  for (const Facts& facts : to_logic(task.start, changes, with_comparisons).states) {
+  for (const Facts& facts : to_logic(task.start, changes_by_moment(demonstration), with_comparisons).states) {
     auto holding = Json::array();
     for (const auto& proposition : goal.propositions) {
       if (proposition.holds_in(facts)) holding.push_back(proposition.name);

@@ -147,6 +147,7 @@ class MistakeMaker {
     step.failure = executed.outcome.success ? "" : name_of(executed.outcome.failure);
     step.feedback = executed.outcome.feedback;
     step.changes = executed.changes;
+    step.moments = executed.moments;
     made_.shown.steps.push_back(std::move(step));
     made_.mistakes.push_back(mistake);
     return result;

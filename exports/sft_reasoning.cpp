@@ -47,11 +47,22 @@ SftReasoning::SftReasoning(const FinishedTask& task, Mode mode, const Knowledge&
 
 std::string SftReasoning::before_step(std::size_t index, const Scene& before) {
   for (const VisibleObject& object : shown_.steps[index].visible) seen_.insert(object.id);
-  const Facts facts = facts_.read(before);
-  monitor_.observe(facts_.entities(), facts);
+  if (index > 0) {  // the moments that the last step led through; the last of them is `before`
+    for (const Delta& moment : shown_.steps[index - 1].moments) {
+      last_ = apply(std::move(last_), moment);
+      observe(last_);
+    }
+  }
+  last_ = before;
+  observe(before);
   std::string text = sight(index, before) + hand(before);
   text += monitor_.satisfied() ? "Nothing is missing." : "Missing: " + in_own_words(monitor_.missing(), before) + ".";
   return text;
+}
+
+void SftReasoning::observe(const Scene& scene) {
+  const Facts facts = facts_.read(scene);
+  monitor_.observe(facts_.entities(), facts);
 }
 
 std::string SftReasoning::sight(std::size_t index, const Scene& before) const {

@@ -23,6 +23,7 @@ class SftReasoning {
   std::string before_step(std::size_t index, const Scene& before);
 
  private:
+  void observe(const Scene& scene);
   std::string sight(std::size_t index, const Scene& before) const;
   /// The next other object that will be handled; "" for none.
   std::string sought_after(std::size_t index, const Scene& before) const;
@@ -37,6 +38,7 @@ class SftReasoning {
   std::set<std::string, std::less<>> known_, seen_;
   FactReader facts_;
   Monitor monitor_;
+  Scene last_;  // that the monitor has observed
 };
 
 }  // namespace unietp

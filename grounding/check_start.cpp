@@ -184,7 +184,7 @@ std::optional<GroundingFailure> check_start(const Specification& specification, 
   if (auto problem = check_referring(specification, trace)) return problem;
   if (gates.natural) {
     if (auto problem = check_references(specification, trace)) return problem;
-    if (auto problem = check_nearness_on_foot(specification.goal, start, grown.places, trace, grown.walk->grid))
+    if (auto problem = check_nearness_on_foot(specification.goal, start, grown.places, trace, *grown.walk))
       return problem;
   }
   Reach reach(home, start, grown, profile);

@@ -246,7 +246,9 @@ class ActionWriter {
     const auto action = action_for(process.treatment);
     if (!action || !has(*action)) return;
     const bool fills = process.treatment == Treatment::Fills;
-    Lines needs = {"(held ?x)", "(" + name_of(process) + " ?t ?x" + (fills ? " ?u)" : ")"), "(near ?t)", "(free ?t)"};
+    // Monitors have to see each moment of it, so that where there are any it is done step by step.
+    Lines needs = {"(not (watching))", "(held ?x)", "(" + name_of(process) + " ?t ?x" + (fills ? " ?u)" : ")"),
+                   "(near ?t)", "(free ?t)"};
     const auto place = process.tap || process.place == Place::Inside ? Place::Inside : Place::On;
     // A door that has to open on the way opens only while the tool is off; what is open already may stay so.
     if (process.door) needs.emplace_back(process.closed ? "(not (power_on ?t))" : "(or (not (power_on ?t)) (open ?t))");

@@ -118,10 +118,15 @@ class PlanWriter {
   Failure take(const Step& step) {
     auto trial = world_;
     if (const Failure failure = perform(setting_, trial, step); failure != Failure::None) return failure;
-    lines_.push_back(step_text(setting_, problem_, world_, step));
-    if (problem_.watching) lines_.insert(lines_.end(), {"(note)", "(judge)"});
-    world_ = std::move(trial);
-    progress_.observe(goal_, setting_, world_);
+    for (const Step& one : written_as(setting_, problem_, world_, step)) {
+      trial = world_;
+      const auto text = step_text(setting_, problem_, world_, one);
+      if (const Failure failure = progress_.perform(goal_, setting_, trial, one); failure != Failure::None)
+        return failure;
+      lines_.push_back(text);
+      if (problem_.watching) lines_.insert(lines_.end(), {"(note)", "(judge)"});
+      world_ = std::move(trial);
+    }
     return Failure::None;
   }
 
@@ -156,6 +161,17 @@ class PlanWriter {
 
 std::string step_text(const symbolic::Setting& setting, const Problem& problem, const World& world, const Step& step) {
   return StepWriter(setting, problem, world).write(step);
+}
+
+std::vector<Step> written_as(const symbolic::Setting& setting, const Problem& problem, const World& world,
+                             const Step& step) {
+  const auto steps = problem.watching ? atomic_steps(setting, world, step) : std::nullopt;
+  if (!steps) return {step};
+  std::vector<Step> all = steps->there;
+  if (steps->runs_tap && world[step.target].has(Predicate::PowerOff))
+    all.insert(all.end(), {{ActionType::TurnOn, step.target}, {ActionType::TurnOff, step.target}});
+  all.insert(all.end(), steps->back.begin(), steps->back.end());
+  return all;
 }
 
 Result<std::vector<std::string>> plan_for(const symbolic::Setting& setting, const World& start,

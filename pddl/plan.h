@@ -21,6 +21,10 @@ Result<std::vector<std::string>> plan_for(const symbolic::Setting& setting, cons
                                           const std::vector<Action>& actions,
                                           const std::vector<std::pair<std::string, std::string>>& pieces);
 
+/// The steps that a step in `world` is written as: a composite action step by step where the problem has monitors,
+/// which see each moment of it.
+std::vector<symbolic::Step> written_as(const symbolic::Setting& setting, const Problem& problem,
+                                       const symbolic::World& world, const symbolic::Step& step);
 /// One step as an action of the domain, applied in `world`: "(place_on mug_1 table_1)".
 std::string step_text(const symbolic::Setting& setting, const Problem& problem, const symbolic::World& world,
                       const symbolic::Step& step);

@@ -66,6 +66,7 @@ StepRecord read_step(JsonReader& reader, const JsonAt& at) {
   if (const auto f = fields.optional("tidying")) step.tidying = reader.boolean(*f);
   if (const auto f = fields.required("visible")) step.visible = read_visible(reader, *f);
   if (const auto f = fields.required("changes")) step.changes = read_part(reader, *f, delta_from_json, f->json);
+  if (const auto f = fields.optional("moments")) step.moments = read_moments(reader, *f);
   fields.finish();
   return step;
 }
@@ -83,6 +84,15 @@ std::vector<Command> read_plan(JsonReader& reader, const JsonAt& at) {
 }
 
 }  // namespace
+
+std::vector<Delta> changes_by_moment(const DemonstrationRecord& demonstration) {
+  std::vector<Delta> changes;
+  for (const StepRecord& step : demonstration.steps) {
+    if (step.moments.empty()) changes.push_back(step.changes);
+    changes.insert(changes.end(), step.moments.begin(), step.moments.end());
+  }
+  return changes;
+}
 
 Result<DemonstrationRecord> read_demonstration(std::string_view where, int line, std::string_view text) {
   DemonstrationRecord demonstration;

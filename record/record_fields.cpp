@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/json_parse.h"
+#include "scene/scene_json.h"
 
 namespace unietp {
 
@@ -29,6 +30,17 @@ Result<Json> parse_json_line(std::string_view where, int line, std::string_view 
 std::string text_or_empty(JsonReader& reader, const JsonAt& at) {
   const auto* text = at.json.get_ptr<const Json::string_t*>();
   return text != nullptr && text->empty() ? std::string() : reader.text(at);
+}
+
+std::vector<Delta> read_moments(JsonReader& reader, const JsonAt& at) {
+  std::vector<Delta> moments;
+  const std::size_t count = reader.items(at);
+  for (std::size_t i = 0; i < count && !reader.error(); ++i) {
+    const JsonAt item = reader.item(at, i);
+    moments.push_back(read_part(reader, item, delta_from_json, item.json));
+  }
+  if (count < 2 && !reader.error()) reader.fail(at, "expected two or more moments");
+  return moments;
 }
 
 namespace {

@@ -5,11 +5,13 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
 #include "core/result.h"
 #include "scene/json_reader.h"
+#include "scene/trace.h"
 
 namespace unietp {
 
@@ -27,6 +29,9 @@ int read_whole(JsonReader& reader, const JsonAt& at);           // 0 to 1e9
 std::uint64_t read_seed(JsonReader& reader, const JsonAt& at);  // 0 to 2^53 - 1, which a double holds exactly
 /// Any text, also an empty one.
 std::string text_or_empty(JsonReader& reader, const JsonAt& at);
+
+/// Changes from moment to moment, at least two.
+std::vector<Delta> read_moments(JsonReader& reader, const JsonAt& at);
 
 /// Reads a value with one of the readers of scene/; the JSON pointer of an error is completed.
 template <class T>

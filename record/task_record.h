@@ -58,8 +58,9 @@ struct StepRecord {
   std::string failure, feedback;
   std::vector<VisibleObject> visible;
   Delta changes;
-  bool search = false;   // only served to see something
-  bool tidying = false;  // only closes what was opened before
+  std::vector<Delta> moments = {};  // from moment to moment, where the action passes through several; else empty
+  bool search = false;              // only served to see something
+  bool tidying = false;             // only closes what was opened before
 };
 /// A line of demonstrations/<mode>.jsonl.
 struct DemonstrationRecord {
@@ -68,6 +69,8 @@ struct DemonstrationRecord {
   std::vector<Command> shortest = {};  // except in M1: a plan of one who is told everything
   std::vector<Command> tempting = {};  // in M1, where the goal has constraints: a plan that breaks them
 };
+/// What each step of a demonstration changed, from moment to moment.
+std::vector<Delta> changes_by_moment(const DemonstrationRecord& demonstration);
 /// As read_task.
 Result<DemonstrationRecord> read_demonstration(std::string_view where, int line, std::string_view text);
 

@@ -44,9 +44,7 @@ class PairWriter {
         writing_{options.phrasings, categories_in(start_), &start_},
         rng_(wording_stream(options.seed.value_or(task.record.run), task.record.slot, task.record.attempt)
                  .fork("pair", 0)) {
-    std::vector<Delta> changes;
-    for (const StepRecord& step : demonstration.steps) changes.push_back(step.changes);
-    trace_ = to_logic(start_, changes, reads_comparisons(task.specification.goal));
+    trace_ = to_logic(start_, changes_by_moment(demonstration), reads_comparisons(task.specification.goal));
   }
 
   Result<WordingsEntry> pair() const {

@@ -52,8 +52,8 @@ WrittenTask written_again(const TaskRecord& task, const Instruction& instruction
   for (const auto& [mode, demonstration] : shown) {
     std::vector<StepEntry> steps;
     for (const StepRecord& step : demonstration.steps) {
-      steps.push_back({step.command, step.success, step.failure, step.feedback, step.visible, step.changes, step.search,
-                       step.tidying});
+      steps.push_back({step.command, step.success, step.failure, step.feedback, step.visible, step.changes,
+                       step.moments, step.search, step.tidying});
       written.row.actions.push_back(action_row(mode, steps.back()));
     }
     written.shown.push_back(demonstration_line(task.id, mode, steps, {demonstration.shortest, demonstration.tempting}));

@@ -18,7 +18,11 @@ namespace {
 class PartMonitors {
  public:
   explicit PartMonitors(const SharedTask& task)
-      : task_(*task), reader_(task->reader), facts_(task->facts), parts_(scored_parts(task->goal)) {
+      : task_(*task),
+        scene_(task->start),
+        reader_(task->reader),
+        facts_(task->facts),
+        parts_(scored_parts(task->goal)) {
     for (const ScoredPart& part : parts_) {
       monitors_.emplace_back(part.formula);
       if (can_be_lost(part.kind)) relaxed_.emplace_back(part.relaxed);
@@ -26,11 +30,9 @@ class PartMonitors {
     observe();
   }
 
-  void read(const Delta& changes, const Environment& now) {
-    if (changes.empty()) return;
-    facts_ = task_.compares_later ? with_comparisons(reader_.read(now.scene()), now.scene(), reader_, task_.compared)
-                                  : reader_.read(std::move(facts_), changes);
-    observe();
+  void read(const ExecutedAction& action) {
+    if (action.moments.empty()) read(action.changes);
+    for (const Delta& moment : action.moments) read(moment);
   }
   std::vector<bool> met() const {
     std::vector<bool> answers;
@@ -49,11 +51,22 @@ class PartMonitors {
   const std::vector<ScoredPart>& parts() const { return parts_; }
 
  private:
+  void read(const Delta& changes) {
+    if (changes.empty()) return;
+    if (task_.compares_later) {
+      scene_ = apply(std::move(scene_), changes);
+      facts_ = with_comparisons(reader_.read(scene_), scene_, reader_, task_.compared);
+    } else {
+      facts_ = reader_.read(std::move(facts_), changes);
+    }
+    observe();
+  }
   void observe() {
     for (Monitor& one : monitors_) one.observe(reader_.entities(), facts_);
     for (Monitor& one : relaxed_) one.observe(reader_.entities(), facts_);
   }
   const EnvironmentTask& task_;
+  Scene scene_;  // kept up only where things are compared later on
   FactReader reader_;
   Facts facts_;
   std::vector<ScoredPart> parts_;
@@ -150,7 +163,7 @@ void EpisodeFollower::acted(const StepResult& result, const Environment& now) {
         executed.command,          executed.outcome.success, std::string(name_of(executed.outcome.failure)),
         executed.outcome.feedback, executed.counted,         executed.simulator};
     name_object(action, state_->seen, now);
-    state_->monitors.read(executed.changes, now);
+    state_->monitors.read(executed);
     action.progress = now.progress();
     action.reached = action.progress >= 1;
     action.parts = state_->monitors.met();

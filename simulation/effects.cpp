@@ -61,10 +61,13 @@ bool needs_met(const WorldState& state, const Effect& effect, std::size_t tool, 
 /// Runs the steps of a composite action up to the first failure.
 class Steps {
  public:
-  explicit Steps(FailureReference tool) : tool_(std::move(tool)) {}
+  Steps(FailureReference tool, const PassesThrough& passes) : tool_(std::move(tool)), passes_(passes) {}
   template <class Step>
   void run(Step step) {
-    if (result_.success) result_ = step();
+    if (!result_.success) return;
+    if (begun_) passes_();
+    begun_ = true;
+    result_ = step();
   }
   ActionResult result() const {
     ActionResult result = result_;
@@ -74,6 +77,8 @@ class Steps {
 
  private:
   FailureReference tool_;
+  const PassesThrough& passes_;
+  bool begun_ = false;
   ActionResult result_ = succeeded();
 };
 
@@ -122,7 +127,7 @@ ActionResult switch_power(WorldState& state, std::size_t i, bool on) {
   return succeeded();
 }
 
-ActionResult treat_with(WorldState& state, std::size_t tool, Treatment treatment) {
+ActionResult treat_with(WorldState& state, std::size_t tool, Treatment treatment, const PassesThrough& passes) {
   if (state.agent().held.empty()) return failed(FailureCause::HandsEmpty);
   const std::size_t item = *state.index_of(state.agent().held.front());
   const Effect* effect = state.knowledge->effect(state.node(tool).category, treatment, state.node(item).category);
@@ -136,7 +141,7 @@ ActionResult treat_with(WorldState& state, std::size_t tool, Treatment treatment
   const bool inside = has_need(*effect, EffectNeed::Inside) || has_need(*effect, EffectNeed::UnderTap);
   const bool was_closed = closed();
   const bool switches = has_need(*effect, EffectNeed::PowerOn) && state.node(tool).states.has(Predicate::PowerOff);
-  Steps steps(state.reference(tool));
+  Steps steps(state.reference(tool), passes);
   if (inside && was_closed) steps.run([&] { return swing(state, tool, true); });
   steps.run([&] { return place(state, tool, inside, true); });
   if (has_need(*effect, EffectNeed::Closed) && state.node(tool).openable)

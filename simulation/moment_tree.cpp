@@ -1,6 +1,7 @@
 #include "simulation/moment_tree.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "simulation/camera.h"
 
@@ -51,31 +52,68 @@ const MomentTree::Step& MomentTree::step(MomentId at, const Action& action) {
   if (!fresh) return step;
   if (at != here_) go(at);
   step.next = at;
-  step.result = perform(state_, action);
+  std::vector<Part> parts;
+  const auto end_part = [&] {
+    const std::size_t begin = parts.empty() ? 0 : parts.back().end;
+    WorldState::Change change = state_.change(begin);
+    if (!change.delta.empty()) parts.push_back({state_.mark(), std::move(change)});
+  };
+  step.result = perform(state_, action, end_part);
   if (!step.result.success) {
     state_.back_to(0);
     return step;
   }
   WorldState::Change change = state_.change();
-  Digest digest = moments_[at.index()].digest;
-  digest += change.digest_difference;
-  step.changes = std::move(change.delta);
+  if (!parts.empty()) parts.push_back({state_.mark(), state_.change(parts.back().end)});
+  const bool stopped = state_.stopped();
   std::vector<Edit> log = state_.take_log();
+  if (!parts.empty()) {
+    state_.undo(log);
+    step.passed = enter_all(at, std::move(parts), std::move(log));
+    step.next = step.passed.back().moment;
+  } else {
+    const auto [next, is_new] = enter(at, change.digest_difference, log, stopped);
+    step.next = next;
+    if (is_new) {
+      here_ = next;
+    } else {
+      state_.undo(log);  // a moment keeps the path by which it was reached first
+    }
+  }
+  step.changes = std::move(change.delta);
+  return step;
+}
+
+std::pair<MomentId, bool> MomentTree::enter(MomentId from, const Digest& difference, std::vector<Edit>& log,
+                                            bool stopped) {
+  Digest digest = moments_[from.index()].digest;
+  digest += difference;
   const auto [known, is_new] = known_.try_emplace(digest, MomentId(moments_.size()));
-  step.next = known->second;
   if (is_new) {
-    const std::uint32_t depth = moments_[at.index()].depth + 1;
+    const std::uint32_t depth = moments_[from.index()].depth + 1;
     Moment& moment = moments_.emplace_back();
-    moment.parent = at;
+    moment.parent = from;
     moment.depth = depth;
     moment.log = std::move(log);
     moment.digest = digest;
-    moment.stopped = state_.stopped();
-    here_ = step.next;
-  } else {
-    state_.undo(log);  // a moment keeps the path by which it was reached first
+    moment.stopped = stopped;
   }
-  return step;
+  return {known->second, is_new};
+}
+
+std::vector<PassedMoment> MomentTree::enter_all(MomentId from, std::vector<Part> parts, std::vector<Edit> log) {
+  std::vector<PassedMoment> passed;
+  std::size_t begin = 0;
+  for (Part& part : parts) {
+    const auto at = [&log](std::size_t i) {
+      return std::make_move_iterator(log.begin() + static_cast<std::ptrdiff_t>(i));
+    };
+    std::vector<Edit> own(at(begin), at(part.end));
+    begin = part.end;
+    from = enter(from, part.change.digest_difference, own, false).first;  // no part of a step is `stop`
+    passed.push_back({from, std::move(part.change.delta)});
+  }
+  return passed;
 }
 
 void MomentTree::forget_all_but(MomentId moment) {

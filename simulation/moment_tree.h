@@ -7,9 +7,10 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
-#include "simulation/moment_id.h"
+#include "simulation/passed_moment.h"
 #include "simulation/view.h"
 #include "simulation/world_state.h"
 
@@ -26,6 +27,7 @@ class MomentTree {
     ActionResult result;
     Delta changes;
     MomentId next;
+    std::vector<PassedMoment> passed;  // `next` last; empty when nothing lies between
   };
   /// The result of the action at that moment. The reference stays valid.
   const Step& step(MomentId at, const Action& action);
@@ -58,7 +60,16 @@ class MomentTree {
     std::unordered_map<std::string, bool> shown;                        // by id; only those that were asked for
     std::map<std::string, std::optional<PixelBox>, std::less<>> boxes;  // by the id that they mean; likewise
   };
+  /// A part of a step: where its edits end in the log, and what they change.
+  struct Part {
+    std::size_t end = 0;
+    WorldState::Change change;
+  };
   void go(MomentId to);
+  /// The moment after edits that were done in another one, which a new one takes over.
+  std::pair<MomentId, bool> enter(MomentId from, const Digest& difference, std::vector<Edit>& log, bool stopped);
+  /// Enters the moments of a step of several parts, whose edits are all undone.
+  std::vector<PassedMoment> enter_all(MomentId from, std::vector<Part> parts, std::vector<Edit> log);
 
   WorldState state_;
   MomentId here_;

@@ -44,17 +44,17 @@ ActionResult perform_alone(WorldState& state, ActionType type) {
 }
 
 /// A freezer may have the effect `freezes` without `cools`.
-ActionResult cool_with(WorldState& state, std::size_t tool) {
+ActionResult cool_with(WorldState& state, std::size_t tool, const PassesThrough& passes) {
   const std::size_t before = state.mark();
-  const ActionResult cooled = treat_with(state, tool, Treatment::Cools);
+  const ActionResult cooled = treat_with(state, tool, Treatment::Cools, passes);
   if (cooled.failure != Failure::NoEffect) return cooled;
   state.back_to(before);
-  return treat_with(state, tool, Treatment::Freezes);
+  return treat_with(state, tool, Treatment::Freezes, passes);
 }
 
 }  // namespace
 
-ActionResult perform(WorldState& state, const Action& action) {
+ActionResult perform(WorldState& state, const Action& action, const PassesThrough& passes) {
   if (state.stopped()) return failed(FailureCause::EpisodeEnded);
   const ActionInfo& about = info(action.type);
   if (!state.profile->offers(action.type)) {
@@ -100,19 +100,19 @@ ActionResult perform(WorldState& state, const Action& action) {
     case ActionType::SpreadTo:
       return spread_to(state, *node);
     case ActionType::SoakWith:
-      return treat_with(state, *node, Treatment::Soaks);
+      return treat_with(state, *node, Treatment::Soaks, passes);
     case ActionType::HeatWith:
-      return treat_with(state, *node, Treatment::Heats);
+      return treat_with(state, *node, Treatment::Heats, passes);
     case ActionType::CoolWith:
-      return cool_with(state, *node);
+      return cool_with(state, *node, passes);
     case ActionType::WashWith:
-      return treat_with(state, *node, Treatment::Washes);
+      return treat_with(state, *node, Treatment::Washes, passes);
     case ActionType::CookWith:
-      return treat_with(state, *node, Treatment::Cooks);
+      return treat_with(state, *node, Treatment::Cooks, passes);
     case ActionType::BurnWith:
-      return treat_with(state, *node, Treatment::Burns);
+      return treat_with(state, *node, Treatment::Burns, passes);
     case ActionType::FillWith:
-      return treat_with(state, *node, Treatment::Fills);
+      return treat_with(state, *node, Treatment::Fills, passes);
     default:
       return perform_extension(state, action.type, *node);
   }

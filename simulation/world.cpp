@@ -22,7 +22,8 @@ std::pair<NavigationGrid::Cell, NavigationGrid::Cell> cells_beside(const WorldSt
 }  // namespace
 
 World::World(std::shared_ptr<MomentTree> tree) : tree_(std::move(tree)) {}
-World::World(const World& other) : tree_(other.tree_), moment_(other.moment_), changes_(other.changes_) {}
+World::World(const World& other)
+    : tree_(other.tree_), moment_(other.moment_), changes_(other.changes_), passed_(other.passed_) {}
 World::World(World&&) noexcept = default;
 World& World::operator=(const World& other) {
   if (this != &other) *this = World(other);
@@ -63,6 +64,7 @@ ActionResult World::step(const Action& action) {
   const MomentTree::Step& done = tree_->step(moment_, action);
   moment_ = done.next;
   changes_ = &done.changes;
+  passed_ = &done.passed;
   if (shown_ != nullptr && !done.changes.empty()) pending_changes_.push_back(changes_);
   return done.result;
 }
@@ -70,6 +72,18 @@ ActionResult World::step(const Action& action) {
 const Delta& World::changes() const {
   static const Delta kNone{};
   return changes_ == nullptr ? kNone : *changes_;
+}
+
+const std::vector<PassedMoment>& World::passed() const {
+  static const std::vector<PassedMoment> kNone{};
+  return passed_ == nullptr ? kNone : *passed_;
+}
+
+std::vector<Delta> World::changes_by_moment() const {
+  if (passed().empty()) return {changes()};
+  std::vector<Delta> changes;
+  for (const PassedMoment& one : passed()) changes.push_back(one.changes);
+  return changes;
 }
 
 const Scene& World::scene() const {
@@ -90,6 +104,7 @@ void World::forget() {
   tree_->forget_all_but(moment_);
   moment_ = MomentId();
   changes_ = nullptr;
+  passed_ = nullptr;
   shown_.reset();
   pending_changes_.clear();
 }

@@ -14,7 +14,7 @@
 #include "scene/trace.h"
 #include "scene/visible_object.h"
 #include "simulation/action_result.h"
-#include "simulation/moment_id.h"
+#include "simulation/passed_moment.h"
 #include "simulation/picture.h"
 #include "simulation/profile.h"
 #include "simulation/rays.h"
@@ -45,6 +45,10 @@ class World {
   ActionResult step(const Action& action);
   /// What the last step changed: `difference` of the scenes before and after it.
   const Delta& changes() const;
+  /// The same from moment to moment: an action that consists of several steps leads through a moment after each.
+  std::vector<Delta> changes_by_moment() const;
+  /// The moments that the last step led through, the present one last; empty when it was a single step.
+  const std::vector<PassedMoment>& passed() const;
   /// The current scene; the reference stays as it is until the next call of `scene()`.
   const Scene& scene() const;
   const Profile& profile() const;
@@ -131,6 +135,7 @@ class World {
   std::shared_ptr<MomentTree> tree_;  // shared by all copies
   MomentId moment_;
   const Delta* changes_ = nullptr;
+  const std::vector<PassedMoment>* passed_ = nullptr;  // by the last step
   mutable std::unique_ptr<Scene> shown_;               // as of the last call of `scene()`
   mutable std::vector<const Delta*> pending_changes_;  // since then
 };

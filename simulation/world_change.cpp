@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <span>
 
 namespace unietp {
 namespace {
@@ -42,12 +43,12 @@ Digest digest_of(const AgentState& state) {
 
 }  // namespace
 
-WorldState::Change WorldState::change() const {
+WorldState::Change WorldState::change(std::size_t since) const {
   std::map<std::size_t, const Node*> nodes_before;
   std::map<std::size_t, const std::vector<Link>*> links_before;
   const AgentState* agent_before = nullptr;
   std::size_t old_count = count();
-  for (const Edit& edit : log_) {
+  for (const Edit& edit : std::span(log_).subspan(since)) {
     if (const auto* of_node = std::get_if<NodeEdit>(&edit.what)) {
       nodes_before.try_emplace(of_node->node, &of_node->value);
     } else if (const auto* of_links = std::get_if<LinksEdit>(&edit.what)) {

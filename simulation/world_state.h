@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -150,12 +151,12 @@ class WorldState {
   std::size_t mark() const { return log_.size(); }
   void back_to(std::size_t mark);
 
-  /// What changed since the log was started, and the difference of the state's digest.
+  /// What changed since a mark of the log, and the difference of the state's digest.
   struct Change {
     Delta delta;
     Digest digest_difference;
   };
-  Change change() const;
+  Change change(std::size_t since = 0) const;
   /// Takes the log out: its edits lead from the state at its start to the current one.
   std::vector<Edit> take_log();
   void redo(std::vector<Edit>& log);
@@ -192,8 +193,10 @@ class WorldState {
   mutable std::unordered_map<Digest, StandingCells, DigestHash> standing_;  // by a digest of their inputs
 };
 
+/// Called between two atomic steps of one action: the state is one that the agent passes through.
+using PassesThrough = std::function<void()>;
 /// Performs the action; after a failure the caller must undo the changes in the log.
-ActionResult perform(WorldState& state, const Action& action);
+ActionResult perform(WorldState& state, const Action& action, const PassesThrough& passes);
 
 /// Why the agent cannot act on a node by hand from its position (closed container, reach, sight), or nullopt.
 std::optional<ActionResult> access_failure(const WorldState& state, std::size_t node);
@@ -240,7 +243,7 @@ ActionResult wipe(WorldState& state, std::size_t node);
 /// The node is covered with what the held dispenser gives.
 ActionResult spread_to(WorldState& state, std::size_t node);
 /// soak_with and the composite actions: performs their atomic steps, each with all its checks.
-ActionResult treat_with(WorldState& state, std::size_t tool, Treatment treatment);
+ActionResult treat_with(WorldState& state, std::size_t tool, Treatment treatment, const PassesThrough& passes);
 
 /// The actions of the profile `wide` on an object. A body that sits or lies stays at its place beside the seat and
 /// faces as the seat does.

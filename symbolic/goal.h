@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "logic/formula.h"
+#include "symbolic/perform.h"
 #include "symbolic/world.h"
 
 namespace unietp::symbolic {
@@ -63,6 +64,8 @@ class Progress {
   explicit Progress(const Goal& goal) : parts_(goal.memories(), Part::Open) {}
   /// Takes in the next state of the trace, the start first.
   void observe(const Goal& goal, const Setting& setting, const World& world);
+  /// Performs a step and takes in all worlds that it leads through. A failed one changes nothing.
+  Failure perform(const Goal& goal, const Setting& setting, World& world, const Step& step);
   /// What has happened of one temporal part (Goal::Node::memory), and of all.
   Part part(std::size_t memory) const { return parts_[memory]; }
   bool operator==(const Progress&) const = default;

@@ -94,16 +94,16 @@ void change(const Setting& setting, World& world, const ActionInfo& action, Id i
 }
 
 /// Uses the first effect of the tool that belongs to the action.
-Failure treat(const Setting& setting, World& world, const Step& step) {
+Failure treat(const Setting& setting, World& world, const Step& step, std::vector<World>* passed) {
   for (const TreatmentInfo& row : all_treatments()) {
     if (row.treats != step.action) continue;
-    const Failure failure = treat_with(setting, world, step.target, row.treatment);
+    const Failure failure = treat_with(setting, world, step.target, row.treatment, passed);
     if (failure != Failure::NoEffect) return failure;
   }
   return Failure::NoEffect;
 }
 
-Failure carry_out(const Setting& setting, World& world, const Step& step) {
+Failure carry_out(const Setting& setting, World& world, const Step& step, std::vector<World>* passed) {
   switch (step.action) {
     case ActionType::GoTo:
       return go_to(world, step.target);
@@ -130,7 +130,7 @@ Failure carry_out(const Setting& setting, World& world, const Step& step) {
       break;
   }
   const ActionInfo& action = info(step.action);
-  if (action.argument == ActionArgument::Tool) return treat(setting, world, step);
+  if (action.argument == ActionArgument::Tool) return treat(setting, world, step, passed);
   if (!action.changes.empty()) change(setting, world, action, step.target);
   return Failure::None;
 }
@@ -144,17 +144,17 @@ std::string to_text(const Setting& setting, const Step& step) {
   return text;
 }
 
-Failure perform(const Setting& setting, World& world, const Step& step) {
+Failure perform(const Setting& setting, World& world, const Step& step, std::vector<World>* passed) {
   if (!setting.rules->capabilities().has(step.action)) return Failure::NotOffered;
   const ActionArgument argument = info(step.action).argument;
   const bool on_thing = argument == ActionArgument::Object || argument == ActionArgument::Tool;
   if (on_thing && (!step.target.is_thing() || !world[step.target].exists)) return Failure::InvalidArgument;
-  return perform_checked(setting, world, step);
+  return perform_checked(setting, world, step, passed);
 }
 
-Failure perform_checked(const Setting& setting, World& world, const Step& step) {
+Failure perform_checked(const Setting& setting, World& world, const Step& step, std::vector<World>* passed) {
   const Failure unmet = first_unmet(setting, world, step);
-  return unmet != Failure::None ? unmet : carry_out(setting, world, step);
+  return unmet != Failure::None ? unmet : carry_out(setting, world, step, passed);
 }
 
 Failure out_of_reach(const Setting& setting, const World& world, Id thing) {

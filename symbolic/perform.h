@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,8 +24,9 @@ std::string to_text(const Setting& setting, const Step& step);  // "place_on(tab
 /// Performs the step by the needs and changes of scene/action_table.h, with the side effects that simulation/ has, but
 /// without geometry. In reach is what the agent went to, and what rests on or in that. What fits is what the knowledge
 /// base says of things of one kind; things of other kinds take no room. A failed step leaves the world as it was.
-/// Actions of the body and the camera change nothing here.
-Failure perform(const Setting& setting, World& world, const Step& step);
+/// Actions of the body and the camera change nothing here. `passed` gets the worlds that a composite action passes
+/// through on its way to the last.
+Failure perform(const Setting& setting, World& world, const Step& step, std::vector<World>* passed = nullptr);
 
 /// The first need of the step's action that is not met; Failure::None when all are. Needs of kind Special are not
 /// asked.
@@ -41,9 +43,17 @@ bool has_room(const Setting& setting, const World& world, Id thing, Predicate re
 void run_processes(const Setting& setting, World& world, Id tool, bool tap_runs);
 
 // Below: a step whose needs in the table are met, offered or not.
-Failure perform_checked(const Setting& setting, World& world, const Step& step);
+Failure perform_checked(const Setting& setting, World& world, const Step& step, std::vector<World>* passed = nullptr);
+/// The atomic steps that a composite action (or soak_with) stands for in a world: up to where the tool works, and back.
+/// A tap runs between the two. nullopt for other actions, or when the tool does nothing to what is held.
+struct AtomicSteps {
+  std::vector<Step> there, back;
+  bool runs_tap = false;
+};
+std::optional<AtomicSteps> atomic_steps(const Setting& setting, const World& world, const Step& step);
+
 /// A composite action, with all checks of the atomic steps that it stands for.
-Failure treat_with(const Setting& setting, World& world, Id tool, Treatment treatment);
+Failure treat_with(const Setting& setting, World& world, Id tool, Treatment treatment, std::vector<World>* passed);
 /// The actions of these names, by the thing they are done to, with what the hand holds.
 Failure slice(const Setting& setting, World& world, Id thing);
 Failure pour_to(const Setting& setting, World& world, Id target);

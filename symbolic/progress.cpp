@@ -81,6 +81,15 @@ void observe_from(const Goal& goal, std::size_t index, const Setting& setting, c
 
 }  // namespace
 
+Failure Progress::perform(const Goal& goal, const Setting& setting, World& world, const Step& step) {
+  std::vector<World> passed;
+  const Failure failure = symbolic::perform(setting, world, step, &passed);
+  if (failure != Failure::None) return failure;
+  for (const World& between : passed) observe(goal, setting, between);
+  observe(goal, setting, world);
+  return failure;
+}
+
 void Progress::observe(const Goal& goal, const Setting& setting, const World& world) {
   auto parts = parts_;
   observe_from(goal, goal.root(), setting, world, *this, parts);

@@ -19,6 +19,31 @@ const Reaction* by_hand(const Setting& setting, const World& world, Treatment tr
   return setting.rules->reaction(setting.kind_number(world.held), treatment, setting.kind_number(thing));
 }
 
+std::optional<AtomicSteps> steps_with(const Setting& setting, const World& world, Id tool, Treatment treatment) {
+  const Id item = world.held;
+  const Reaction* reaction = setting.rules->reaction(setting.kind_number(tool), treatment, setting.kind_number(item));
+  if (reaction == nullptr || (reaction->needs & kHeld) != 0) return std::nullopt;
+  const bool openable = setting.kind_of(tool).openable;
+  const bool was_closed = openable && !world[tool].has(Predicate::Open);
+  const bool inside = (reaction->needs & (kInside | kUnderTap)) != 0;
+  const bool closes = openable && (reaction->needs & kClosed) != 0;
+  const bool switches = (reaction->needs & kPowerOn) != 0 && world[tool].has(Predicate::PowerOff);
+  AtomicSteps steps;
+  steps.runs_tap = (reaction->needs & kUnderTap) != 0;
+  const auto add = [tool](std::vector<Step>& part, bool wanted, ActionType action) {
+    if (wanted) part.push_back({action, tool});
+  };
+  add(steps.there, inside && was_closed, ActionType::Open);
+  add(steps.there, true, inside ? ActionType::PlaceIn : ActionType::PlaceOn);
+  add(steps.there, closes, ActionType::Close);
+  add(steps.there, switches, ActionType::TurnOn);
+  add(steps.back, switches, ActionType::TurnOff);
+  add(steps.back, closes || (was_closed && !inside), ActionType::Open);
+  steps.back.push_back({ActionType::PickUp, item});
+  add(steps.back, was_closed, ActionType::Close);
+  return steps;
+}
+
 }  // namespace
 
 void run_processes(const Setting& setting, World& world, Id tool, bool tap_runs) {
@@ -35,31 +60,36 @@ void run_processes(const Setting& setting, World& world, Id tool, bool tap_runs)
   }
 }
 
-Failure treat_with(const Setting& setting, World& world, Id tool, Treatment treatment) {
-  const Id item = world.held;
-  const Reaction* reaction = setting.rules->reaction(setting.kind_number(tool), treatment, setting.kind_number(item));
-  if (reaction == nullptr || (reaction->needs & kHeld) != 0) return Failure::NoEffect;
+Failure treat_with(const Setting& setting, World& world, Id tool, Treatment treatment, std::vector<World>* passed) {
+  const auto steps = steps_with(setting, world, tool, treatment);
+  if (!steps) return Failure::NoEffect;
   World trial = world;
-  const bool openable = setting.kind_of(tool).openable;
-  const auto closed = [&] { return openable && !trial[tool].has(Predicate::Open); };
-  const bool inside = (reaction->needs & (kInside | kUnderTap)) != 0;
-  const bool was_closed = closed();
-  const bool switches = (reaction->needs & kPowerOn) != 0 && trial[tool].has(Predicate::PowerOff);
-  Failure failure = Failure::None;
-  const auto run = [&](bool wanted, ActionType action, Id target) {
-    if (wanted && failure == Failure::None) failure = perform_checked(setting, trial, {action, target});
+  std::vector<World> way;  // the world after each step
+  const auto run = [&](const std::vector<Step>& part) {
+    for (const Step& step : part) {
+      if (const Failure failure = perform_checked(setting, trial, step); failure != Failure::None) return failure;
+      if (passed != nullptr) way.push_back(trial);
+    }
+    return Failure::None;
   };
-  run(inside && was_closed, ActionType::Open, tool);
-  run(true, inside ? ActionType::PlaceIn : ActionType::PlaceOn, tool);
-  run((reaction->needs & kClosed) != 0 && openable, ActionType::Close, tool);
-  run(switches, ActionType::TurnOn, tool);
-  if ((reaction->needs & kUnderTap) != 0 && failure == Failure::None) run_processes(setting, trial, tool, true);
-  run(switches, ActionType::TurnOff, tool);
-  run(closed(), ActionType::Open, tool);
-  run(true, ActionType::PickUp, item);
-  run(was_closed, ActionType::Close, tool);
-  if (failure == Failure::None) world = std::move(trial);
-  return failure;
+  if (const Failure failure = run(steps->there); failure != Failure::None) return failure;
+  if (steps->runs_tap) {
+    run_processes(setting, trial, tool, true);
+    if (passed != nullptr) way.push_back(trial);
+  }
+  if (const Failure failure = run(steps->back); failure != Failure::None) return failure;
+  world = std::move(trial);
+  if (passed != nullptr) passed->insert(passed->end(), way.begin(), way.end() - 1);
+  return Failure::None;
+}
+
+std::optional<AtomicSteps> atomic_steps(const Setting& setting, const World& world, const Step& step) {
+  if (info(step.action).argument != ActionArgument::Tool) return std::nullopt;
+  for (const TreatmentInfo& row : all_treatments()) {
+    if (row.treats != step.action) continue;
+    if (auto steps = steps_with(setting, world, step.target, row.treatment)) return steps;
+  }
+  return std::nullopt;
 }
 
 Failure slice(const Setting& setting, World& world, Id thing) {

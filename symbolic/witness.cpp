@@ -108,8 +108,7 @@ class Search {
   }
 
   bool take(Place& place, const Step& step) const {
-    if (perform(setting_, place.world, step) != Failure::None) return false;
-    place.progress.observe(goal_, setting_, place.world);
+    if (place.progress.perform(goal_, setting_, place.world, step) != Failure::None) return false;
     place.steps.push_back(step);
     ++place.length;
     return true;
@@ -186,7 +185,7 @@ std::vector<World> replay(const Setting& setting, const World& start, const std:
   std::vector<World> worlds{start};
   for (const Step& step : steps) {
     World next = worlds.back();
-    perform(setting, next, step);
+    perform(setting, next, step, &worlds);
     worlds.push_back(std::move(next));
   }
   return worlds;

@@ -22,7 +22,7 @@ struct SearchOptions {
 std::optional<std::vector<Step>> find_witness(const Formula& goal, const Setting& setting, const World& start,
                                               const SearchOptions& options = {});
 
-/// The start and the world after each step; a failed step changes nothing.
+/// The start and the worlds that each step leads through; a failed step changes nothing.
 std::vector<World> replay(const Setting& setting, const World& start, const std::vector<Step>& steps);
 
 }  // namespace unietp::symbolic

@@ -129,6 +129,7 @@ constexpr std::array kFieldRules{
     FieldInfo{"demonstration", "steps[].visible[].id", Rule::Recomputed, kReplayed},
     FieldInfo{"demonstration", "steps[].visible[].box", Rule::Recomputed, kReplayed},
     FieldInfo{"demonstration", "steps[].changes", Rule::Recomputed, kReplayed},
+    FieldInfo{"demonstration", "steps[].moments[]", Rule::Recomputed, kReplayed},
     FieldInfo{"demonstration", "shortest[].action", Rule::Compared, kShortest},
     FieldInfo{"demonstration", "shortest[].args", Rule::Compared, kShortest},
     FieldInfo{"demonstration", "tempting[].action", Rule::Compared, kTempting},

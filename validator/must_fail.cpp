@@ -37,19 +37,22 @@ bool can_be_identified(const Command& command) {
                      [](const Argument& argument) { return !argument.box || shows_clearly(*argument.box); });
 }
 
-/// An episode, with the commands and changes so far.
+/// An episode, with the commands so far and the changes from moment to moment.
 struct Rollout {
   ModeEpisode episode;
-  std::vector<Command> commands;
-  std::vector<Delta> changes;
+  std::vector<Command> commands = {};
+  std::vector<Delta> changes = {};
+  bool did_something = false;  // whether the last action changed a thing
 
   void act(const Action& action) {
+    did_something = false;
     const auto command = episode.command_for(action);
     if (!command || !can_be_identified(*command)) return;
-    const auto before = episode.world().moment();
-    (void)episode.step(*command);
+    const bool done = episode.step(*command).success;
     commands.push_back(*command);
-    if (episode.world().moment() != before) changes.push_back(episode.world().changes());
+    if (!done) return;
+    did_something = !episode.world().changes().nodes.empty();
+    for (Delta& change : episode.world().changes_by_moment()) changes.push_back(std::move(change));
   }
 };
 
@@ -66,7 +69,7 @@ class PlanChanger {
   PlanChanger(const Formula& goal, const World& start, Mode mode, const TraceMaker& traces, std::string where)
       : goal_(goal),
         asked_(without_constraints(goal)),
-        start_{ModeEpisode(start, mode), {}, {}},
+        start_{ModeEpisode(start, mode)},
         traces_(traces),
         where_(std::move(where)) {}
 
@@ -157,14 +160,12 @@ class PlanChanger {
     std::vector<Action> part;
     Rollout rollout = start_;
     for (const Action& action : plan) {
-      const auto before = rollout.changes.size();
       const auto held = states_held(rollout.episode.world());
       rollout.act(action);
       part.push_back(action);
-      const bool something = rollout.changes.size() > before && !rollout.changes.back().nodes.empty();
       const auto holds_now = states_held(rollout.episode.world());
       const bool became = !held.empty() && holds_now.size() == held.size() && holds_now != held;
-      if (!something || (!holds_now.empty() && !became)) continue;
+      if (!rollout.did_something || (!holds_now.empty() && !became)) continue;
       parts.push_back(std::move(part));
       part.clear();
     }
@@ -244,7 +245,7 @@ MustFail must_fail(const Formula& goal, const World& start, Mode mode, const Tra
 
 std::optional<AlteredPlan> run_tempting(const Formula& goal, const World& start, Mode mode, const TraceMaker& traces,
                                         const std::vector<Command>& tempting) {
-  Rollout rollout{ModeEpisode(start, mode), {}, {}};
+  Rollout rollout{ModeEpisode(start, mode)};
   for (const Command& command : tempting) {
     const auto type = action_named(command.action);
     if (!type) return std::nullopt;

@@ -61,6 +61,7 @@ enum class ProblemKind : std::uint8_t {
   EmptyDomain,
   NoReferent,
   NoDistractor,
+  NotNearest,
   // a demonstration
   Outcome,
   View,

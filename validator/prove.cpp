@@ -13,6 +13,7 @@
 #include "validator/conjuncts.h"
 #include "validator/must_fail.h"
 #include "validator/prove_start.h"
+#include "validator/referents.h"
 #include "validator/replay.h"
 #include "validator/search_check.h"
 #include "validator/start_check.h"
@@ -117,10 +118,24 @@ class TaskProver {
     if (goal_)
       found(prove_goal_at_start(task_, *goal_, constraints_, start_, traces.at_start(), *backend_->knowledge,
                                 reading_.where));
+    if (goal_) prove_referents(traces.at_start());
     for (const auto& [mode, demonstration] : shown) prove_demonstration(*world, mode, demonstration, traces);
     if (in_m1 != shown.end() && goal_) add_tempting(*world, shown, in_m1->second.tempting, traces);
     if (reading_.wordings) prove_wordings(*reading_.wordings, traces, in_m1 == shown.end() ? nullptr : &in_m1->second);
     if (proof_.problems.empty()) compare_with_remade();
+  }
+
+  /// Where goals are to be what people would say, the nearest thing is the nearest on foot, too.
+  void prove_referents(const Trace& at_start) {
+    if (tools_.manifest == nullptr || tools_.manifest->run.sense != "usual" || !reads_comparisons(*goal_)) return;
+    for (const Referents& one : referents_of(*goal_, start_, at_start, *backend_->profile)) {
+      for (const std::string& id : one.beyond_wall)
+        found(ProblemKind::NotNearest, reading_.where,
+              one.phrase + " means " + id + ", which on foot, within the room, is not clearly the nearest");
+      for (const std::string& id : one.rivals)
+        found(ProblemKind::NotNearest, reading_.where,
+              one.phrase + " does not mean " + id + ", which is the nearest on foot");
+    }
   }
 
   /// A start that is as sound as the one that the run made, or a text that says the same, but another one.
@@ -157,7 +172,7 @@ class TaskProver {
     found(check_step_count(task_, mode, demonstration, reading_.where));
     auto done = replay(world, mode, demonstration, where_shown(mode));
     ++proof_.counts.demonstrations;
-    proof_.counts.steps += static_cast<int>(done.changes.size());
+    proof_.counts.steps += static_cast<int>(demonstration.steps.size());
     found(std::move(done.problems));
     if (!goal_) return;
     const auto trace = traces.of(done.changes);
@@ -276,9 +291,7 @@ class TaskProver {
         found(ProblemKind::Wordings, where,
               "the goal of its " + name + " wording is not the task's with a referring phrase");
       if (shown == nullptr) continue;
-      std::vector<Delta> changes;
-      for (const StepRecord& step : shown->steps) changes.push_back(step.changes);
-      if (!holds(*goal, traces.of(changes)))
+      if (!holds(*goal, traces.of(changes_by_moment(*shown))))
         found(ProblemKind::Wordings, where, "its demonstration does not reach the goal of its " + name + " wording");
     }
   }

@@ -48,6 +48,33 @@ bool same_outcome(const StepRecord& step, const Outcome& outcome) {
          outcome.feedback == step.feedback;
 }
 
+/// What one step changed: as a whole, and from moment to moment where it passed through several.
+struct StepChanges {
+  Delta whole;
+  std::vector<Delta> moments;
+};
+
+StepChanges changes_of(const World& world) {
+  StepChanges made{world.changes(), {}};
+  if (!world.passed().empty()) made.moments = world.changes_by_moment();
+  return made;
+}
+
+/// What is wrong with the recorded changes, or "".
+std::string fault_of(const StepRecord& step, const StepChanges& made) {
+  if (made.whole != step.changes)
+    return "the changes differ from the record; " + difference_of(step.changes, made.whole);
+  if (made.moments.size() != step.moments.size())
+    return "the record has " + std::to_string(step.moments.size()) + " moments, the replay " +
+           std::to_string(made.moments.size());
+  for (std::size_t i = 0; i < made.moments.size(); ++i) {
+    if (made.moments[i] != step.moments[i])
+      return "the changes of moment " + std::to_string(i + 1) + " differ from the record; " +
+             difference_of(step.moments[i], made.moments[i]);
+  }
+  return "";
+}
+
 /// The action of a command, with objects by their ids: a box stands for the visible object that it overlaps most.
 Action action_of(const Command& command, ActionType type, const std::vector<VisibleObject>& view) {
   Action action{type, {}};
@@ -92,7 +119,6 @@ Replay replay(const World& start, Mode mode, const DemonstrationRecord& demonstr
     }
     const auto type = action_named(step.command.action);
     if (type && *type != ActionType::Stop) done.plan.push_back(action_of(step.command, *type, step.visible));
-    const auto before = episode.world().moment();
     const auto outcome = episode.step(step.command);
     if (!outcome_reported && !same_outcome(step, outcome)) {
       outcome_reported = true;
@@ -100,12 +126,13 @@ Replay replay(const World& start, Mode mode, const DemonstrationRecord& demonstr
                                       ", the replay gives " +
                                       outcome_text(outcome.success, name_of(outcome.failure), outcome.feedback));
     }
-    auto delta = episode.world().moment() == before ? Delta{} : episode.world().changes();
-    if (!changes_reported && delta != step.changes) {
+    const StepChanges made = outcome.success ? changes_of(episode.world()) : StepChanges();
+    if (const auto fault = fault_of(step, made); !changes_reported && !fault.empty()) {
       changes_reported = true;
-      found(ProblemKind::Changes, at + "the changes differ from the record; " + difference_of(step.changes, delta));
+      found(ProblemKind::Changes, at + fault);
     }
-    done.changes.push_back(std::move(delta));
+    if (made.moments.empty()) done.changes.push_back(made.whole);
+    done.changes.insert(done.changes.end(), made.moments.begin(), made.moments.end());
   }
   if (!episode.world().stopped()) found(ProblemKind::NoStop, "does not end with stop()");
   return done;

@@ -13,7 +13,7 @@ std::string text_of(const Edge& edge);  // "on(mug_1, table_1)"
 
 /// Result of replaying a demonstration.
 struct Replay {
-  std::vector<Delta> changes;  // one per step
+  std::vector<Delta> changes;  // from moment to moment
   std::vector<Action> plan;    // the actions, with objects by their ids; without the final stop
   std::vector<Problem> problems;
 };

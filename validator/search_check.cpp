@@ -17,10 +17,10 @@ struct InformedEpisode {
   std::vector<Delta> changes;
 
   bool act(const Command& command) {
-    const auto before = episode.world().moment();
     const bool done = episode.step(command).success;
-    if (episode.world().moment() != before) changes.push_back(episode.world().changes());
-    return done;
+    if (!done) return false;
+    for (Delta& change : episode.world().changes_by_moment()) changes.push_back(std::move(change));
+    return true;
   }
 };
 
@@ -86,15 +86,14 @@ std::vector<bool> search_steps(const Formula& goal, const World& start, const Tr
 
 std::vector<bool> tidying_steps(const Formula& goal, const World& start, const TraceMaker& traces,
                                 const std::vector<Action>& plan) {
-  std::vector<Command> commands;
-  std::vector<InformedEpisode> before{{ModeEpisode(start, without_limits(plan)), {}}};
-  for (const Action& action : plan) {
-    commands.push_back(by_ids(action));
-    before.push_back(before.back());
-    (void)before.back().act(commands.back());
-  }
-  const auto is_needless = [&](std::size_t i) { return goes_without(goal, before[i], traces, commands, i); };
   std::vector<bool> tidying(plan.size(), false);
+  // Whether the goal is reached without a step and all that are left out already.
+  const auto is_needless = [&](std::size_t step) {
+    InformedEpisode rest{ModeEpisode(start, without_limits(plan)), {}};
+    for (std::size_t i = 0; i < plan.size(); ++i)
+      if (i != step && !tidying[i]) (void)rest.act(by_ids(plan[i]));
+    return holds(goal, traces.of(rest.changes));
+  };
   for (std::size_t i = 0; i < plan.size(); ++i) {
     const Action opened{ActionType::Open, plan[i].args};
     const auto here = plan.begin() + static_cast<std::ptrdiff_t>(i);

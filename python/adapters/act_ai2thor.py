@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
-from acting import Acting, Facts, Json, serve
+from acting import Acting, Facts, Json, answer_of, serve
 from run_ai2thor import Controller, Episode, Metadata, is_part, read_task, start_controller
 
 RELATIONS = ("on", "inside", "on_floor", "in_room")  # what is translated
@@ -107,6 +107,7 @@ class ThorActing:
         self.facts = Facts(start.states, told, start.held)  # so that the first answer says in what AI2-THOR's start is another
 
     def act(self, action: str, args: list[str], ours: Json) -> Json:
+        self.between: list[Facts] = []  # the states that it leads through
         calls = self._calls_of(action, args)
         if calls is None:
             return self._answer(f"AI2-THOR has no {action} of {', '.join(args)}")
@@ -119,8 +120,12 @@ class ThorActing:
         for row in calls:
             for name in named.get(row.get("of", ""), [""]):
                 call = self._call(row, name, ours, before)
-                if call is not None and not self.episode.call(action, call):
+                if call is None:
+                    continue
+                if not self.episode.call(action, call):
                     return self._answer((self.episode.failed or {})["message"])
+                if action.endswith("_with"):  # it consists of several steps
+                    self.between.append(self.translator.read(self.episode.now()))
         return self._answer("")
 
     def _name_pieces(self, ours: Json) -> None:
@@ -169,9 +174,9 @@ class ThorActing:
     def _answer(self, message: str) -> Json:
         """`message`: why the action failed; "" when it did not."""
         self.episode.failed = None
-        now = self.facts if message else self.translator.read(self.episode.now())
-        answer = {"success": not message, "message": " ".join(message.split()), **self.facts.changes_to(now)}
-        self.facts = now
+        moments = [self.facts] if message else [*self.between, self.translator.read(self.episode.now())]
+        answer = answer_of(message, self.facts, moments)
+        self.facts = moments[-1]
         return answer
 
 

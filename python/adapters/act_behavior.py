@@ -17,7 +17,7 @@ from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
-from acting import Acting, Facts, Json, serve
+from acting import Acting, Facts, Json, answer_of, serve
 
 AGENT = "agent.n.01_1"
 ROBOT = {"type": "Fetch", "name": "agent", "obs_modalities": [], "grasping_mode": "sticky", "disable_grasp_handling": True}
@@ -120,6 +120,8 @@ class Episode:
         self.rooms = {thing: ours for ours, thing in self.objects.items() if thing.category == "floors"}
         self.named = [name for name in self.task["objects"] if name in self.objects]  # those that are translated
         self.before = {name: set(states) for name, states in start.states.items()}  # in our physics
+        self.between: list[Facts] = []  # the states that the last action led through
+        self.watch: Callable[[], None] = lambda: None  # called at each of these
         self.cut: set[str] = set()  # wholes that are two halves now
         self.groups = {name: self._groups_of(states) for name, states in start.states.items()}
         for name, states in start.states.items():
@@ -149,6 +151,7 @@ class Episode:
 
     def act(self, action: str, args: list[str], ours: Json) -> Json:
         target = self.objects.get(args[-1]) if args else None
+        self.between = []
         self.named += [one for one in args if one in self.objects and one not in self.named and self.objects[one] not in self.rooms]
         try:
             if message := self._act(action, args, target, ours):
@@ -168,8 +171,9 @@ class Episode:
             return f"OmniGibson has no {args[-1]}"
         elif action == "soak_with":
             ran = self._value(target, "ToggledOn")
-            self._do("TOGGLE_ON", target)
-            self._do("SOAK_UNDER", target)
+            for primitive in ("TOGGLE_ON", "SOAK_UNDER"):
+                self._do(primitive, target)
+                self._pass()
             self._do("TOGGLE_ON" if ran else "TOGGLE_OFF", target)
         elif action in INSIDE_DEVICE:
             self._put_for_a_while(target, ours)
@@ -204,6 +208,11 @@ class Episode:
 
     def _put_for_a_while(self, device: Any, ours: Json) -> None:
         """Puts the held thing into a device until it is as it shall be, takes it out and leaves the device as it was."""
+
+        def do(primitive: str, thing: Any = device) -> None:
+            self._do(primitive, thing)
+            self._pass()
+
         held, was_open, ran = self._held(), self._value(device, "Open"), self._value(device, "ToggledOn")
         heat = device.states.get(self.gibson.states.HeatSourceOrSink)
         if held is None or heat is None:
@@ -211,22 +220,27 @@ class Episode:
             return
         if heat.requires_inside:
             if was_open is False:
-                self._do("OPEN", device)
-            self._do("PLACE_INSIDE", device)
+                do("OPEN")
+            do("PLACE_INSIDE")
             if was_open is not None:
-                self._do("CLOSE", device)
+                do("CLOSE")
         else:
-            self._do("PLACE_NEAR_HEATING_ELEMENT", device)
+            do("PLACE_NEAR_HEATING_ELEMENT")
         if ran is False:
-            self._do("TOGGLE_ON", device)
+            do("TOGGLE_ON")
         self._wait(ours)
+        self._pass()
         if ran is False:
-            self._do("TOGGLE_OFF", device)
+            do("TOGGLE_OFF")
         if was_open is not None:
-            self._do("OPEN", device)
-        self._do("GRASP", held)
+            do("OPEN")
+        do("GRASP", held)
         if was_open is False:
-            self._do("CLOSE", device)
+            do("CLOSE")
+
+    def _pass(self) -> None:
+        self.between.append(self._read())
+        self.watch()
 
     def _wait(self, ours: Json) -> None:
         """Lets time pass until what becomes hot, cold or done in our physics is so here, too."""
@@ -374,9 +388,9 @@ class Episode:
 
     def _answer(self, message: str) -> Json:
         """`message`: why the action failed; "" when it did not."""
-        now = self.facts if message else self._read()
-        answer = {"success": not message, "message": " ".join(message.split()), **self.facts.changes_to(now)}
-        self.facts = now
+        moments = [self.facts] if message else [*self.between, self._read()]
+        answer = answer_of(message, self.facts, moments)
+        self.facts = moments[-1]
         return answer
 
 

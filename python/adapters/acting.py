@@ -9,13 +9,15 @@ They read lines of JSON-RPC 2.0 from standard input and answer each with one on 
 
 `act` answers with `success`, the simulator's `message` when it fails, and what changed of the simulator's state, in our
 words: `states` (of each object those that are now true), `edges_added` and `edges_removed` (relation, from, to), and
-`held` where that changed.
+`held` where that changed. Where an action consists of several steps, `moments` is a list of the same, from the state
+after one step to that after the next: the goal is judged at each.
 """
 
 import json
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import Any, Protocol
 
 Json = dict[str, Any]
@@ -42,6 +44,14 @@ class Facts:
             "edges_removed": sorted(self.edges - now.edges),
         }
         return answer if now.held == self.held else answer | {"held": now.held}
+
+
+def answer_of(message: str, before: Facts, moments: list[Facts]) -> Json:
+    """The answer to an action: why it failed, or "", and the states that it led through, the last one last."""
+    answer = {"success": not message, "message": " ".join(message.split()), **before.changes_to(moments[-1])}
+    if len(moments) < 2:
+        return answer
+    return answer | {"moments": [one.changes_to(other) for one, other in pairwise([before, *moments])]}
 
 
 class Acting(Protocol):

@@ -196,12 +196,14 @@ class Metadata:
 
 
 class Episode:
-    """One task in a controller. `trace` has the truth of each proposition at the start and after each step."""
+    """One task in a controller. `trace` has the truth of each proposition at the start and after each step, and after
+    each call of a step that consists of several, such as `heat_with`; `ends` has the places of the former in it."""
 
     def __init__(self, task: Json, house: Json, controller: Controller):
         self.task, self.house, self.controller = task, house, controller
         self.formula = read_formula(task["goal"]["formula"])
         self.trace: Trace = []
+        self.ends: list[int] = []
         self.failed: Json | None = None
         self.moved: list[int] = []
         self._calls = 0
@@ -222,14 +224,20 @@ class Episode:
                 break
         if self.failed is None:
             self.observe(self.controller.last_event.metadata)
+            self.ends.append(0)
         return self.failed is None
 
     def follow_plan(self) -> Iterator[str]:
         """Makes the calls of the demonstration, and gives each step that was made. Ends at a call that fails."""
         for step in self.task["plan"]:
-            if not all(self.call(step["step"], call) for call in step["calls"]):
-                return
+            consists_of_several = step["step"].split("(")[0].endswith("_with")
+            for i, call in enumerate(step["calls"]):
+                if not self.call(step["step"], call):
+                    return
+                if consists_of_several and i + 1 < len(step["calls"]):
+                    self.observe(self.controller.last_event.metadata)
             self.observe(self.controller.last_event.metadata)
+            self.ends.append(len(self.trace) - 1)
             yield step["step"]
 
     def observe(self, metadata: Json) -> None:
@@ -247,7 +255,7 @@ class Episode:
         ours = [self.task["goal"]["holds"], *(step["holds"] for step in self.task["plan"])]
         return [
             {"step": i, "proposition": name, "value": value}
-            for i, (state, holding) in enumerate(zip(self.trace, ours, strict=False))
+            for i, (state, holding) in enumerate(zip((self.trace[end] for end in self.ends), ours, strict=False))
             for name, value in state.items()
             if value != (name in holding) and name not in pieces
         ]

@@ -50,6 +50,7 @@ def judge(folder: Path, dataset: Any, task: str, gibson: Any) -> Row:
     try:
         episode = act_behavior.Episode(folder, task, facts_of(start), gibson)
         judge = Judge(episode)
+        episode.watch = judge.look
         judge.look()
         at_start = judge.reached()
     except KeyError as error:  # of the states of an object

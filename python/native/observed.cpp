@@ -91,6 +91,8 @@ nlohmann::ordered_json executed_to_json(const std::vector<ExecutedAction>& execu
     row["feedback"] = one.outcome.feedback;
     row["counted"] = one.counted;
     row["changes"] = nlohmann::ordered_json::parse(delta_to_json(one.changes));
+    for (const Delta& moment : one.moments)
+      row["moments"].push_back(nlohmann::ordered_json::parse(delta_to_json(moment)));
     list.push_back(std::move(row));
   }
   return list;

@@ -182,6 +182,16 @@ def test_cooking_in_a_device_leaves_it_as_it_was(episode):
     assert episode.facts.states["microwave_1"] == ["closed", "power_off"]
 
 
+def test_cooking_in_a_device_shows_each_moment(episode):
+    episode.act("pick_up", ["apple_1"], {})
+    answer = episode.act("cook_with", ["microwave_1"], {"nodes": [node("apple_1", "cooked", "hot", "unburnt", "whole")]})
+    doors = [moment["states"]["microwave_1"] for moment in answer["moments"] if "microwave_1" in moment["states"]]
+    assert doors == [["open", "power_off"], ["closed", "power_off"], ["closed", "power_on"], ["closed", "power_off"],
+                     ["open", "power_off"], ["closed", "power_off"]]  # fmt: skip
+    assert any(("inside", "apple_1", "microwave_1") in moment["edges_added"] for moment in answer["moments"])
+    assert "microwave_1" not in answer["states"], "which as a whole is as before"
+
+
 def test_what_no_primitive_does_is_set(episode):
     answer = episode.act("fill_with", ["microwave_1"], {"nodes": [node("mug_1", "clean", "filled(water)")]})
     assert answer["success"]

@@ -30,6 +30,7 @@ class DemonstrationStep:
     changes: dict[str, Any]  #: of the scene graph (`changed`)
     search: bool = False  #: only served to see something; a trainer may weigh it less
     tidying: bool = False  #: only closes what was opened before; the goal does not need it
+    moments: list[dict[str, Any]] = field(default_factory=list)  #: the changes from moment to moment, of a composite action
 
     def command(self) -> dict[str, Any]:
         """The action as an environment takes it: {"action", "args"}."""
@@ -265,6 +266,7 @@ def _demonstration(line: dict[str, Any]) -> Demonstration:
                 changes=step["changes"],
                 search=step["search"],
                 tidying=step.get("tidying", False),
+                moments=step.get("moments", []),
             )
             for step in line["steps"]
         ]

@@ -94,6 +94,29 @@ const std::vector<Corruption> kCorruptions{
        steps_of(s)[0]["feedback"] = "You are there.";
        return true;
      }},
+    {"AMomentWithinACompositeActionLeftOut", "changes",
+     [](DamagedTask& s) {
+       for (Json& step : steps_of(s)) {
+         if (!step.contains("moments") || step["moments"].size() < 3) continue;
+         step["moments"].erase(step["moments"].begin() + 1);
+         return true;
+       }
+       return false;
+     }},
+    {"ADoorThatStaysShutWithinACompositeAction", "changes",
+     [](DamagedTask& s) {
+       for (Json& step : steps_of(s)) {
+         if (!step.contains("moments")) continue;
+         for (Json& node : step["moments"][0]["nodes"]) {
+           for (Json& state : node["states"]) {
+             if (state != "open") continue;
+             state = "closed";
+             return true;
+           }
+         }
+       }
+       return false;
+     }},
     {"AnActionWithALetterChanged", "unreadable",
      [](DamagedTask& s) {
        steps_of(s)[0]["action"] = "go_ta";

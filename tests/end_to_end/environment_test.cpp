@@ -58,6 +58,7 @@ TEST(EnvironmentsOfADataSet, GiveForEachDemonstrationWhatItsFileSays) {
         ASSERT_EQ(name_of(done.outcome.failure), step.failure);
         ASSERT_EQ(done.outcome.feedback, step.feedback);
         ASSERT_EQ(done.changes, step.changes);
+        ASSERT_EQ(done.moments, step.moments);
         if (i % 7 != 0) continue;
         const Json told = observation_to_json(last.observation, environment.settings());
         ASSERT_EQ(checker.check(told, "observation.schema.json"), "");

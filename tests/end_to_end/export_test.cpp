@@ -103,7 +103,7 @@ TEST(ExportLtlf, EveryFormulaMeansItsGoalOnEveryPrefixOfTheDemonstration) {
   for (const auto& line : json_lines(shown)) {
     const auto record = read_demonstration(shown.string(), ++number, line.dump());
     ASSERT_TRUE(record) << format(record.error());
-    for (const auto& step : record->steps) changes[record->task].push_back(step.changes);
+    changes[record->task] = changes_by_moment(*record);
   }
   SchemaChecker checker;
   const auto lines = json_lines(out / "goals.jsonl");

@@ -64,10 +64,8 @@ std::map<std::string, Shown> shown() {
     const auto read = *read_demonstration("M1.jsonl", 1, line.dump());
     Shown& one = all[read.task];
     one.scenes = {one.start};
-    for (const auto& step : read.steps) {
-      one.changes.push_back(step.changes);
-      one.scenes.push_back(apply(one.scenes.back(), step.changes));
-    }
+    one.changes = changes_by_moment(read);
+    for (const Delta& change : one.changes) one.scenes.push_back(apply(one.scenes.back(), change));
   }
   return all;
 }

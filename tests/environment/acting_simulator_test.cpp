@@ -41,8 +41,8 @@ class Twin : public ActingSimulator {
     for (const std::string& id : action.args) command.args.push_back({id, std::nullopt});
     const StepResult result = own_->step(command);
     EXPECT_EQ(ours, result.executed.front().changes) << "what the action did in our physics is told";
-    SimulatorAnswer answer{true, "", result.executed.front().changes};
-    if (action.type == at_ && whim_ == Whim::Forgets) answer.changes = {};
+    SimulatorAnswer answer{true, "", result.executed.front().changes, result.executed.front().moments};
+    if (action.type == at_ && whim_ == Whim::Forgets) answer.changes = {}, answer.moments.clear();
     edges_ = apply(now, answer.changes).edges;
     return answer;
   }

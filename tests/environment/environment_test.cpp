@@ -321,5 +321,27 @@ TEST(AnEnvironment, TellsItsAgentWhatTheExportTeaches) {
   EXPECT_THAT(environment.prompt(), HasSubstr("You may go to any of them.\n"));
 }
 
+TEST(TheJudgeOfAnEpisode, SeesEachMomentOfACompositeAction) {
+  const auto cooled = [](const std::string& goal) {
+    Environment environment = house_environment(settings_for(Mode::M1), goal);
+    StepResult last;
+    for (const auto& [action, id] :
+         {std::pair{"go_to", "potato_1"}, {"pick_up", "potato_1"}, {"go_to", "fridge_1"}, {"cool_with", "fridge_1"}}) {
+      last = environment.step(say(action, id));
+      EXPECT_TRUE(last.executed.front().outcome.success) << action;
+      EXPECT_EQ(last.executed.front().moments.empty(), std::string(action) != "cool_with");
+    }
+    return environment.privileged();
+  };
+  const PrivilegedState kept = cooled("(exists (?f - Fridge) (always (closed ?f)))");
+  EXPECT_FALSE(kept.success);
+  EXPECT_TRUE(kept.hopeless);
+  EXPECT_TRUE(cooled("(exists (?f - Fridge) (sometime (open ?f)))").success);
+  EXPECT_TRUE(cooled("(exists (?f - Fridge) (and (at-end (closed ?f)) (sometime (open ?f))))").success);
+  // Comparisons are read from the scene as it is at each moment.
+  EXPECT_TRUE(
+      cooled("(exists (?f - Fridge) (exists (?p - Potato) (sometime (and (nearest ?p ?f) (inside ?p ?f)))))").success);
+}
+
 }  // namespace
 }  // namespace unietp

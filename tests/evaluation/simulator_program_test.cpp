@@ -56,6 +56,23 @@ TEST(ASimulatorsAnswer, MayTellOfAPieceThatOurPhysicsMake) {
   EXPECT_FALSE(read_simulator_answer(told, 7, kitchen(), {})) << "a piece of nothing";
 }
 
+TEST(ASimulatorsAnswer, MayTellOfTheMomentsThatLeadToIt) {
+  const auto told = [](const std::string& last) {
+    const std::string nothing = R"(,"edges_added":[],"edges_removed":[])";
+    return answer(R"({"success":true,"message":"","states":{"fridge_1":["closed","power_off"]})" + nothing +
+                  R"(,"moments":[{"states":{"fridge_1":["open","power_on"]})" + nothing +
+                  R"(},{"states":{"fridge_1":)" + last + "}" + nothing + "}]}");
+  };
+  const auto read = read_simulator_answer(told(R"(["closed","power_off"])"), 7, kitchen(), {});
+  ASSERT_TRUE(read) << format(read.error());
+  ASSERT_EQ(read->moments.size(), 2U);
+  EXPECT_TRUE(read->moments.front().nodes.front().states.has(Predicate::Open));
+  EXPECT_TRUE(read->moments.back().nodes.front().states.has(Predicate::PowerOff));
+  const auto elsewhere = read_simulator_answer(told(R"(["closed","power_on"])"), 7, kitchen(), {});
+  ASSERT_FALSE(elsewhere) << "moments that lead to another state";
+  EXPECT_THAT(elsewhere.error().message, HasSubstr("moments"));
+}
+
 TEST(ASimulatorsAnswer, TellsAllThatCoversAThing) {
   Scene dusty = kitchen();
   Node fridge = dusty.nodes.front();

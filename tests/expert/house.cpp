@@ -223,8 +223,9 @@ std::string replay(const Formula& goal, const Scene& start, const Demonstration&
     const Scene before = world->scene();
     const ActionResult outcome = world->step(step.action);
     if (!outcome.success) return to_text(step.action) + " failed: " + feedback_with_ids(outcome.detail);
-    changes.push_back(difference(before, world->scene()));
-    if (changes.back() != step.changes) return to_text(step.action) + " changes something else than recorded";
+    if (difference(before, world->scene()) != step.changes)
+      return to_text(step.action) + " changes something else than recorded";
+    for (Delta& change : world->changes_by_moment()) changes.push_back(std::move(change));
   }
   if (!world->stopped()) return "does not stop";
   return holds(goal, to_logic(start, changes, reads_comparisons(goal))) ? "" : "the goal does not hold";

@@ -58,9 +58,7 @@ Optimum optimum(const Setting& setting, const World& start, const Goal& goal, in
   by_length[0].push_back(std::move(first));
   Optimum found;
   const auto take = [&](Place& place, const Step& step) {
-    if (perform(setting, place.world, step) != Failure::None) return false;
-    place.progress.observe(goal, setting, place.world);
-    return true;
+    return place.progress.perform(goal, setting, place.world, step) == Failure::None;
   };
   for (int length = 0; length < bound; ++length) {
     for (std::size_t i = 0; i < by_length[static_cast<std::size_t>(length)].size(); ++i) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "expert/execution.h"
 #include "expert/mode_expert.h"
 #include "expert/rollout.h"
 #include "tests/expert/house.h"
@@ -121,6 +122,36 @@ TEST_P(Tidying, IsMarkedHoweverLongThePlan) {
 
 INSTANTIATE_TEST_SUITE_P(Modes, Tidying, ::testing::Values(Mode::M1, Mode::M2, Mode::M3),
                          [](const auto& param) { return std::string(name_of(param.param)); });
+
+TEST(TidyingOfAPlan, WhereOneOfTwoHasToBeClosedOneIsTidying) {
+  const Knowledge knowledge = house_knowledge();
+  const Profile profile = house_profile();
+  const Scene start = house();
+  const Formula wanted = goal(
+      "(and (exists (?f - (either Fridge Dresser)) (at-end (closed ?f))) "
+      "(exists (?f - Fridge) (sometime (open ?f))) "
+      "(exists (?d - Dresser) (sometime (open ?d))))");
+  auto executions = *ExecutionTree::of(wanted, start, knowledge, profile);
+  std::vector<Action> plan;
+  for (const char* id : {"fridge_1", "dresser_1"}) {
+    plan.push_back({ActionType::GoTo, {id}});
+    plan.push_back({ActionType::Open, {id}});
+  }
+  plan.push_back({ActionType::Close, {"dresser_1"}});
+  plan.push_back({ActionType::GoTo, {"fridge_1"}});
+  plan.push_back({ActionType::Close, {"fridge_1"}});
+  plan.push_back({ActionType::Stop, {}});
+  Demonstration demonstration = record(executions, Mode::M1, plan);
+  ASSERT_EQ(demonstration.steps.size(), plan.size());
+  mark_tidying(executions, demonstration);
+  std::vector<std::string> tidying;
+  for (const DemonstrationStep& step : demonstration.steps)
+    if (step.tidying) tidying.push_back(to_text(step.action));
+  EXPECT_THAT(tidying, ::testing::ElementsAre("close(dresser_1)"));
+  Rollout rest(executions, rules_of(Mode::M1));
+  rest.go_on(actions_for_the_goal(demonstration));
+  EXPECT_TRUE(rest.reaches_goal());
+}
 
 TEST(TidyingOfAPlan, ComesAsSoonAsNothingIsNeededFromInside) {
   const Knowledge knowledge = house_knowledge();

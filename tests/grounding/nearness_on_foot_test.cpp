@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "grounding/reachability.h"
 #include "homes.h"
 #include "scene/trace.h"
 #include "simulation/portrait.h"
@@ -19,6 +20,7 @@ struct DividedRoom {
   DividedRoom(const Vec2& mug, const Vec2& other_mug) {
     scene.simulator = Simulator::Ai2thor;
     scene.rooms = {{"office_1", "office", {{0, 0}, {8, 0}, {8, 6}, {0, 6}}}};
+    scene.agent.position = {7, 3};
     put("Desk", "desk_1", {1, 2.2}, {0.8, 0.5, 0.7});
     put("Sofa", "sofa_1", {2.5, 3}, {5, 0.4, 1.5});
     put("Mug", "mug_1", mug, {0.1, 0.1, 0.1});
@@ -40,15 +42,15 @@ struct DividedRoom {
     const Formula goal = parsed("(exists (?a - (Mug :where (exists (?d - Desk) (nearest ?a ?d)))) (at-end (held ?a)))",
                                 FormulaUse::Goal);
     return check_nearness_on_foot(goal, scene, NodeIndex(scene.nodes), to_logic(scene, {}, true),
-                                  NavigationGrid(scene, profile));
+                                  walk_in(scene, profile));
   }
 };
 
 TEST(NearnessOnFoot, IsMeasuredAroundWhatStandsInTheWay) {
   const DividedRoom room({1, 3.6}, {4.0, 2.2});
-  const NavigationGrid grid(room.scene, room.profile);
-  const auto around = on_foot(grid, room.scene.rooms.front(), {1, 2.2}, {1, 3.6});
-  const auto straight = on_foot(grid, room.scene.rooms.front(), {1, 2.2}, {4.0, 2.2});
+  const Walk walk = walk_in(room.scene, room.profile);
+  const RoomWalk ways(walk, room.scene.rooms.front(), {1, 2.2});
+  const auto around = ways.meters_to({1, 3.6}), straight = ways.meters_to({4.0, 2.2});
   ASSERT_TRUE(around);
   ASSERT_TRUE(straight);
   EXPECT_GT(*around, 7);
@@ -57,10 +59,24 @@ TEST(NearnessOnFoot, IsMeasuredAroundWhatStandsInTheWay) {
 
 TEST(NearnessOnFoot, HasNoWayOutsideOfTheRoom) {
   const DividedRoom room({1, 3.6}, {4.0, 2.2});
-  const NavigationGrid grid(room.scene, room.profile);
+  const Walk walk = walk_in(room.scene, room.profile);
   const Room half{"half_1", "office", {{0, 0}, {5, 0}, {5, 6}, {0, 6}}};
-  EXPECT_FALSE(on_foot(grid, half, {1, 2.2}, {1, 3.6}));
-  EXPECT_TRUE(on_foot(grid, half, {1, 2.2}, {4.0, 2.2}));
+  const RoomWalk ways(walk, half, {1, 2.2});
+  EXPECT_FALSE(ways.meters_to({1, 3.6}));
+  EXPECT_TRUE(ways.meters_to({4.0, 2.2}));
+}
+
+/// What stands at a wall is walked to from its own room, however near the floor behind the wall is.
+TEST(NearnessOnFoot, BeginsAndEndsOnTheFloorOfTheRoom) {
+  DividedRoom room({6.5, 1.0}, {6.5, 5.0});
+  room.scene.rooms.push_back({"hall_1", "hall", {{0, -3}, {8, -3}, {8, 0}, {0, 0}}});
+  room.put("Cabinet", "cabinet_1", {4, 0.9}, {3, 1.7, 0.5});
+  const Walk walk = walk_in(room.scene, room.profile);
+  const Vec2 in_the_corner(4, 0.1);
+  const auto over_there = walk.grid.nearest_free(in_the_corner);
+  ASSERT_TRUE(over_there);
+  ASSERT_LT(walk.grid.centre(*over_there).y(), 0) << "the nearest free floor is in the hall";
+  EXPECT_TRUE(RoomWalk(walk, room.scene.rooms.front(), {1, 2.2}).meters_to(in_the_corner));
 }
 
 TEST(NearnessOnFoot, RefusesTheNearestThatIsFarToWalkTo) {
@@ -71,6 +87,19 @@ TEST(NearnessOnFoot, RefusesTheNearestThatIsFarToWalkTo) {
 }
 
 TEST(NearnessOnFoot, AcceptsTheNearestOfBothSorts) { EXPECT_FALSE(DividedRoom({1.9, 1.2}, {6.5, 1.0}).problem()); }
+
+/// Of two desks the mug has to be the nearest to one only.
+TEST(NearnessOnFoot, IsAskedOfOneOfSeveralLandmarks) {
+  DividedRoom room({1.9, 1.2}, {7.5, 0.6});
+  room.put("Desk", "desk_2", {4.9, 1.2}, {0.8, 0.5, 0.7});
+  EXPECT_FALSE(room.problem());
+}
+
+/// Another mug is the nearest to the desk on foot, and the one that is meant only as the crow flies.
+TEST(NearnessOnFoot, RefusesWhatMeansAnotherThingOnFoot) {
+  const DividedRoom room({1, 3.6}, {2.6, 1.0});
+  EXPECT_TRUE(room.problem());
+}
 
 }  // namespace
 }  // namespace unietp

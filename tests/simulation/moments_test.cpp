@@ -113,6 +113,52 @@ TEST_P(Branching, AWorldThatWasSteppedEqualsOneThatIsMadeOfItsScene) {
 
 INSTANTIATE_TEST_SUITE_P(AnySeed, Branching, ::testing::Range(0, 12));
 
+TEST(Moments, ACompositeActionLeadsThroughThoseOfItsSteps) {
+  const Knowledge knowledge = testing::kitchen_knowledge();
+  const Profile profile = testing::kitchen_profile();
+  World world = *World::create(testing::kitchen(), knowledge, profile);
+  for (const auto& [type, id] :
+       {std::pair{ActionType::GoTo, "potato_1"}, {ActionType::PickUp, "potato_1"}, {ActionType::GoTo, "microwave_1"}}) {
+    ASSERT_TRUE(world.step({type, {id}}).success);
+    EXPECT_TRUE(world.passed().empty());
+    EXPECT_EQ(world.changes_by_moment(), std::vector{world.changes()});
+  }
+  const World before = world;
+  ASSERT_TRUE(world.step({ActionType::HeatWith, {"microwave_1"}}).success);
+  Scene scene = before.scene();
+  std::string seen;
+  for (const PassedMoment& one : world.passed()) {
+    scene = apply(std::move(scene), one.changes);
+    EXPECT_TRUE(scene == World(world.at(one.moment)).scene());
+    const Node& microwave = *find_node(scene, "microwave_1");
+    seen += microwave.states.has(Predicate::Open) ? " open" : " closed";
+    if (microwave.states.has(Predicate::PowerOn)) seen += "+on";
+    if (scene.edges.contains({Predicate::Inside, "potato_1", "microwave_1"})) seen += "+inside";
+    if (find_node(scene, "potato_1")->states.has(Predicate::Hot)) seen += "+hot";
+  }
+  EXPECT_EQ(seen,
+            " open open+inside closed+inside closed+on+inside+hot closed+inside+hot open+inside+hot open+hot "
+            "closed+hot");
+  EXPECT_TRUE(scene == world.scene());
+  EXPECT_EQ(world.passed().back().moment, world.moment());
+  EXPECT_TRUE(apply(before.scene(), world.changes()) == world.scene());
+  // From a moment on the way the rest can be done step by step.
+  World between = world.at(world.passed().front().moment);
+  ASSERT_TRUE(between.step({ActionType::Close, {"microwave_1"}}).success);
+  EXPECT_TRUE(World(world.at(before.moment())).scene() == before.scene());
+}
+
+TEST(Moments, ACompositeActionThatFailsLeadsThroughNone) {
+  const Knowledge knowledge = testing::kitchen_knowledge();
+  const Profile profile = testing::kitchen_profile();
+  World world = *World::create(testing::kitchen(), knowledge, profile);
+  ASSERT_TRUE(world.step({ActionType::GoTo, {"microwave_1"}}).success);
+  const Scene before = world.scene();
+  ASSERT_FALSE(world.step({ActionType::HeatWith, {"microwave_1"}}).success);
+  EXPECT_TRUE(world.passed().empty());
+  EXPECT_TRUE(world.scene() == before);
+}
+
 TEST(Moments, MomentsThatAreAlikeAreOneMoment) {
   const Knowledge knowledge = testing::kitchen_knowledge();
   const Profile profile = testing::kitchen_profile();

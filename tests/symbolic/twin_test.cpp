@@ -42,6 +42,7 @@ struct Twin {
   symbolic::Rules rules;
   symbolic::Setting setting;
   symbolic::World world;
+  std::size_t things = 0;  // without the pieces that they could be cut into
 
   Twin(const Scene& scene, const Knowledge& knowledge, const Profile& profile)
       : rules(knowledge, offer_as(profile), names(knowledge)) {
@@ -59,6 +60,7 @@ struct Twin {
     }
     for (const auto& id : scene.agent.held) world.held = number(scene, id);
     world.room = Id::room(0);
+    things = world.things.size();
     symbolic::add_pieces(setting, world);
   }
 
@@ -138,10 +140,41 @@ ActionType draw_action(const Twin& twin, Id target, Rng& rng) {
   return possible.empty() || rng.chance(0.4) ? rng.pick(all) : rng.pick(possible);
 }
 
+/// What both twins have of one moment: the states of the things, and what is in the hand.
+struct Seen {
+  std::vector<std::uint64_t> states;
+  std::vector<symbolic::SubstanceSet> coats;
+  std::vector<symbolic::SubstanceId> fillings;
+  Id held = kNobody;
+  bool operator==(const Seen&) const = default;
+};
+
+/// Moments that an action leads through; of those alike and one after another only the first.
+class Moments {
+ public:
+  explicit Moments(std::size_t things) : things_(things) {}
+  void add(const symbolic::World& world) {
+    Seen seen;
+    for (std::size_t k = 0; k < things_; ++k) {
+      seen.states.push_back(world.things[k].states);
+      seen.coats.push_back(world.things[k].coats);
+      seen.fillings.push_back(world.things[k].filling);
+    }
+    seen.held = world.held;
+    if (all_.empty() || all_.back() != seen) all_.push_back(std::move(seen));
+  }
+  const std::vector<Seen>& all() const { return all_; }
+
+ private:
+  std::size_t things_;
+  std::vector<Seen> all_;
+};
+
 /// What an action needs and changes is written twice, with and without geometry; this holds one against the other: the
-/// states of all things and what is in the hand agree after every action that physics lets happen.
+/// states of all things and what is in the hand agree after every action that physics lets happen, and at every moment
+/// that a composite one leads through.
 TEST(Twins, PhysicsAndSymbolsAgreeOnWhatActionsNeedAndDo) {
-  std::size_t done = 0, refused = 0;
+  std::size_t done = 0, refused = 0, composite = 0, most_moments = 0;
   std::set<ActionType> succeeded;
   const std::vector<std::pair<Simulator, ActionProfile>> kinds = {{Simulator::Ai2thor, ActionProfile::Unietp},
                                                                   {Simulator::Behavior, ActionProfile::Unietp},
@@ -167,7 +200,12 @@ TEST(Twins, PhysicsAndSymbolsAgreeOnWhatActionsNeedAndDo) {
         const auto outcome =
             world.step({action, alone ? std::vector<std::string>{} : std::vector<std::string>{target}});
         if (!outcome.success && !is_symbolic(outcome.failure)) continue;
-        const auto failure = perform(before.setting, before.world, {action, alone ? kNobody : id});
+        const std::size_t things = before.things;
+        Moments in_symbols(things), in_physics(things);
+        in_symbols.add(before.world);
+        in_physics.add(before.world);
+        std::vector<symbolic::World> passed;
+        const auto failure = perform(before.setting, before.world, {action, alone ? kNobody : id}, &passed);
         SCOPED_TRACE(std::string(info(action).name) + "(" + target + ") " + feedback_with_ids(outcome.detail));
         if (!outcome.success) {
           EXPECT_EQ(name_of(failure), name_of(outcome.failure));
@@ -185,6 +223,15 @@ TEST(Twins, PhysicsAndSymbolsAgreeOnWhatActionsNeedAndDo) {
           ASSERT_EQ(symbols.filling, physics.filling) << before.setting.objects.things[k].id;
         }
         ASSERT_EQ(before.world.held, after.world.held);
+        for (const symbolic::World& between : passed) in_symbols.add(between);
+        in_symbols.add(before.world);
+        for (const PassedMoment& one : world.passed())
+          in_physics.add(Twin(world.at(one.moment).scene(), knowledge, profile).world);
+        if (!world.passed().empty()) {
+          ASSERT_TRUE(in_symbols.all() == in_physics.all());
+          most_moments = std::max(most_moments, in_physics.all().size());
+          ++composite;
+        }
         succeeded.insert(action);
         ++done;
       }
@@ -192,6 +239,8 @@ TEST(Twins, PhysicsAndSymbolsAgreeOnWhatActionsNeedAndDo) {
   }
   EXPECT_GT(done, 150U);
   EXPECT_GT(refused, 150U);
+  EXPECT_GE(composite, 10U);
+  EXPECT_GE(most_moments, 8U) << "opened, put in, closed, switched on, off, opened, taken, closed";
   EXPECT_GE(succeeded.size(), 14U) << "too few kinds of action came about";
   for (const ActionInfo& action : extension_actions()) EXPECT_EQ(succeeded.count(action.type), 1U) << action.name;
 }

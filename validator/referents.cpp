@@ -1,0 +1,203 @@
+#include "validator/referents.h"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "core/text.h"
+#include "logic/evaluate.h"
+#include "scene/size_and_nearness.h"
+#include "simulation/navigation.h"
+#include "validator/conjuncts.h"
+#include "validator/room_ways.h"
+
+namespace unietp {
+namespace {
+
+using Op = Formula::Op;
+
+std::string kind_of(Predicate predicate) {
+  switch (predicate) {
+    case Predicate::Nearest:
+      return "nearness";
+    case Predicate::Size:
+      return "size";
+    case Predicate::Colour:
+    case Predicate::Material:
+      return "attribute";
+    case Predicate::InRoom:
+      return "room";
+    case Predicate::On:
+    case Predicate::Inside:
+    case Predicate::OnFloor:
+    case Predicate::Under:
+    case Predicate::NextTo:
+    case Predicate::Attached:
+      return "relation";
+    default:
+      return "state";
+  }
+}
+
+/// What a test says of the thing itself; of a landmark's own domain nothing.
+void collect_kinds(const Formula& test, std::set<std::string>& kinds) {
+  if (test.op == Op::Atom) kinds.insert(kind_of(test.predicate));
+  for (const Formula& child : test.children) collect_kinds(child, kinds);
+}
+
+std::vector<Formula> tests_of(const Domain& domain) {
+  const Formula& where = domain.where.front();
+  return where.op == Op::And ? where.children : std::vector<Formula>{where};
+}
+
+/// The relation that a test says the thing has to some landmark.
+std::optional<Predicate> relation_to_some(const Formula& test, const std::string& variable) {
+  if (test.op != Op::Exists) return std::nullopt;
+  const Formula& inner = test.children.front();
+  for (const Predicate relation : {Predicate::Nearest, Predicate::NextTo}) {
+    if (inner == atom(relation, {variable, test.variable})) return relation;
+  }
+  return std::nullopt;
+}
+
+class Walker {
+ public:
+  Walker(const Scene& scene, const Profile& profile)
+      : scene_(scene), grid_(scene, profile), reached_(grid_.reached_from(grid_.cell_at(scene.agent.position))) {}
+
+  const Room* room_of(const std::string& id) const {
+    const auto here = std::find_if(scene_.rooms.begin(), scene_.rooms.end(), [&](const Room& room) {
+      return scene_.edges.contains({Predicate::InRoom, id, room.id});
+    });
+    return here == scene_.rooms.end() ? nullptr : &*here;
+  }
+
+  /// Those of the ids in the landmark's room that can be walked to from it there, with the meters, nearest first.
+  std::vector<std::pair<double, std::string>> from(const std::string& landmark,
+                                                   const std::vector<std::string>& ids) const {
+    std::vector<std::pair<double, std::string>> ways;
+    const Room* room = room_of(landmark);
+    if (room == nullptr) return ways;
+    const RoomWays floor(grid_, reached_, *room);
+    for (const std::string& id : ids) {
+      if (room_of(id) != room) continue;
+      if (const auto way = floor.meters(place_of(landmark), place_of(id))) ways.emplace_back(*way, id);
+    }
+    std::sort(ways.begin(), ways.end());
+    return ways;
+  }
+
+ private:
+  Vec2 place_of(const std::string& id) const { return find_node(scene_, id)->pose.position.head<2>(); }
+
+  const Scene& scene_;
+  NavigationGrid grid_;
+  CellSet reached_;
+};
+
+class ReferentReader {
+ public:
+  ReferentReader(const Scene& scene, const Trace& start, const Profile& profile)
+      : start_(start), walker_(scene, profile) {}
+
+  Referents read(const ReferringDomain& one) const {
+    Referents found;
+    found.phrase = to_text(one.domain);
+    found.means = ids_of(one.domain, one.variable);
+    const auto tests = tests_of(one.domain);
+    std::set<std::string> kinds;
+    for (const Formula& test : tests) collect_kinds(test, kinds);
+    found.kind = join({kinds.begin(), kinds.end()}, "+");
+    for (std::size_t i = 0; i < tests.size(); ++i) {
+      Domain others = one.domain;
+      others.where.clear();
+      auto rest = tests;
+      rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(i));
+      if (rest.size() == 1) others.where = rest;
+      if (rest.size() > 1) {
+        others.where.push_back(one.domain.where.front());
+        others.where.front().children = rest;
+      }
+      if (ids_of(others, one.variable).size() <= found.means.size()) found.idle.push_back(to_text(tests[i]));
+      if (const auto relation = relation_to_some(tests[i], one.variable)) walk(tests[i], *relation, one, found);
+    }
+    return found;
+  }
+
+ private:
+  std::vector<std::string> ids_of(const Domain& domain, const std::string& variable) const {
+    std::vector<std::string> ids;
+    for (const EntityIndex one : members_of(domain, variable, start_)) ids.push_back(start_.entities[one].id);
+    return ids;
+  }
+
+  bool holds(Predicate relation, const std::string& first, const std::string& second) const {
+    const auto index = [&](const std::string& id) {
+      std::size_t i = 0;
+      while (start_.entities[EntityIndex(i)].id != id) ++i;
+      return EntityIndex(i);
+    };
+    return start_.states.front().holds(relation, index(first), index(second));
+  }
+
+  void walk(const Formula& test, Predicate relation, const ReferringDomain& one, Referents& found) const {
+    Domain all = one.domain;
+    all.where.clear();
+    const auto kind = ids_of(all, one.variable);
+    std::set<std::string> missed(found.means.begin(), found.means.end());
+    for (const std::string& landmark : ids_of(test.domain, test.variable)) {
+      if (relation == Predicate::NextTo) {
+        std::erase_if(missed, [&](const std::string& id) {
+          return holds(relation, id, landmark) && walker_.room_of(id) == walker_.room_of(landmark);
+        });
+        continue;
+      }
+      const auto ways = walker_.from(landmark, kind);
+      if (ways.empty() || (ways.size() > 1 && !clearly_nearer(ways[0].first, ways[1].first))) continue;
+      const std::string& nearest = ways.front().second;
+      if (std::find(found.means.begin(), found.means.end(), nearest) == found.means.end()) {
+        found.rivals.push_back(nearest);
+      } else if (holds(relation, nearest, landmark)) {
+        missed.erase(nearest);
+      }
+    }
+    found.beyond_wall.insert(found.beyond_wall.end(), missed.begin(), missed.end());
+  }
+
+  const Trace& start_;
+  Walker walker_;
+};
+
+}  // namespace
+
+std::vector<Referents> referents_of(const Formula& goal, const Scene& scene, const Trace& start,
+                                    const Profile& profile) {
+  std::vector<Referents> all;
+  const auto domains = referring_domains(goal);
+  if (domains.empty()) return all;
+  const ReferentReader reader(scene, start, profile);
+  for (const ReferringDomain& one : domains) all.push_back(reader.read(one));
+  return all;
+}
+
+void ReferentCounts::add(const Referents& one) {
+  const int count = static_cast<int>(one.means.size());
+  ++phrases;
+  referents += count;
+  by_kind[one.kind] += count;
+  beyond_wall += static_cast<int>(one.beyond_wall.size());
+  rivals += one.rivals.empty() ? 0 : 1;
+  without_alternative += one.idle.empty() ? 0 : count;
+}
+
+void ReferentCounts::add(const ReferentCounts& more) {
+  phrases += more.phrases;
+  referents += more.referents;
+  for (const auto& [kind, count] : more.by_kind) by_kind[kind] += count;
+  beyond_wall += more.beyond_wall;
+  rivals += more.rivals;
+  without_alternative += more.without_alternative;
+}
+
+}  // namespace unietp
