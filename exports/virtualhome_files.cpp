@@ -1,3 +1,5 @@
+#include <memory>
+
 #include <nlohmann/json.hpp>
 
 #include "core/text.h"
@@ -20,34 +22,32 @@ Result<std::string> write_virtualhome_unity_files(const ExportRequest& request) 
   return write_expressed(request, express_virtualhome_unity(request));
 }
 
-/// A start as an environment graph, and the demonstration as a program.
-struct VirtualhomeTask {
-  ExportedScene graph;
-  std::vector<std::string> program;
-};
-
-ExpressedTask expressed(const TaskRecord& record, VirtualhomeTask made) {
-  std::string title = record.template_name + "\n" + record.instruction + "\n\n\n";
-  return {"", [id = record.id, title = std::move(title), made = std::move(made)] {
-            const nlohmann::ordered_json names(made.graph.names);
-            return Result(std::vector<AssetFile>{{id + ".json", made.graph.text},
-                                                 {id + ".txt", title + join(made.program, "\n") + "\n"},
-                                                 {id + ".names.json", names.dump(1) + "\n"}});
-          }};
+Result<std::vector<AssetFile>> files_of(const FinishedTask& task, const std::vector<std::string>& program,
+                                        const Knowledge& knowledge, const FormatFacts& facts) {
+  auto graph = write_virtualhome(task.start, knowledge, facts);
+  if (!graph) return graph.error();
+  const TaskRecord& record = task.record;
+  const nlohmann::ordered_json names(graph->names);
+  return std::vector<AssetFile>{
+      {record.id + ".json", std::move(graph->text)},
+      {record.id + ".txt", record.template_name + "\n" + record.instruction + "\n\n\n" + join(program, "\n") + "\n"},
+      {record.id + ".names.json", names.dump(1) + "\n"}};
 }
 
 /// `denied`: why a program is not allowed, or "".
-ExpressTask express(FormatFacts facts, const ExportRequest& request,
+ExpressTask express(FormatFacts read, const ExportRequest& request,
                     std::function<std::string(const std::vector<std::string>& program)> denied) {
-  return [facts = std::move(facts), &request,
-          denied = std::move(denied)](const FinishedTask& task) -> Result<ExpressedTask> {
+  const auto facts = std::make_shared<const FormatFacts>(std::move(read));
+  return [facts, &request, denied = std::move(denied)](const FinishedTask& task) -> Result<ExpressedTask> {
     if (task.start.simulator != Simulator::Virtualhome) return ExpressedTask{"not a task of VirtualHome", nullptr};
-    auto graph = write_virtualhome(task.start, *backend_of(request.backends, task.start).knowledge, facts);
-    if (!graph) return graph.error();
-    auto program = virtualhome_program(task.shown.at(Mode::M1), task.start, graph->names);
+    const Knowledge& knowledge = *backend_of(request.backends, task.start).knowledge;
+    auto program =
+        virtualhome_program(task.shown.at(Mode::M1), task.start, virtualhome_names(task.start, knowledge, *facts));
     if (!program) return ExpressedTask{program.error().message, nullptr};
     if (auto why = denied(*program); !why.empty()) return ExpressedTask{std::move(why), nullptr};
-    return expressed(task.record, {std::move(*graph), std::move(*program)});
+    return ExpressedTask{"", [&task, &knowledge, facts, program = std::move(*program)] {
+                           return files_of(task, program, knowledge, *facts);
+                         }};
   };
 }
 
