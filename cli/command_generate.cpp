@@ -7,7 +7,6 @@
 #include "cli/commands.h"
 #include "cli/common_options.h"
 #include "cli/library_options.h"
-#include "cli/native_tasks.h"
 #include "cli/run_command.h"
 #include "homes/given_scenes.h"
 
@@ -75,11 +74,6 @@ Exit generate(GenerateOptions& options, const CommandLine& program) {
     if (!refused->empty()) return Exit::Wrong;
   }
 
-  if (options.configuration.native) {
-    auto check = refuse_not_native(reading.resources, program);
-    if (!check) return refuse(check.error());
-    options.run.not_native = std::move(*check);
-  }
   return make_data_set(options, reading.resources, program);
 }
 

@@ -208,7 +208,7 @@ Exit validate(ValidateOptions& options, const CommandLine& program) {
   const Resources& resources = reading.resources;
   std::vector<ValidationBackend> backends;
   for (const auto& backend : resources.backends) backends.push_back({&backend.knowledge, &backend.profile});
-  auto validation = full_validation(resources, folders.licences(), folders.runs());
+  auto validation = full_validation(resources, folders);
   if (!validation) return refuse(validation.error());
   validation->threads = options.threads;
   validation->against = options.against;

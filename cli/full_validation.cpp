@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "cli/simulator_forms.h"
 #include "dataset/configuration_json.h"
 #include "rewording/check_phrasing.h"
 #include "rewording/check_sense.h"
@@ -14,8 +15,7 @@
 
 namespace unietp {
 
-Result<ValidationOptions> full_validation(const Resources& resources, const std::filesystem::path& licences,
-                                          const std::filesystem::path& runs) {
+Result<ValidationOptions> full_validation(const Resources& resources, const DataFolders& folders) {
   ValidationOptions options;
   options.check_text = [&resources](const StatedGoal& stated) {
     return check_text(stated, resources.backend(stated.simulator));
@@ -40,10 +40,13 @@ Result<ValidationOptions> full_validation(const Resources& resources, const std:
     if (!made) return made.error();
     return RemadeTask{std::move(made->episode.changes), std::move(made->episode.edits), std::move(made->instruction)};
   };
-  options.derive_files = [&resources, licences](const ManifestRecord& manifest) {
+  auto forms = forms_of_tasks(resources, folders);
+  if (!forms) return forms.error();
+  options.forms_of = std::move(*forms);
+  options.derive_files = [&resources, licences = folders.licences()](const ManifestRecord& manifest) {
     return expected_files(manifest, resources, licences);
   };
-  auto known_homes = read_known_homes(runs);
+  auto known_homes = read_known_homes(folders.runs());
   if (!known_homes) return known_homes.error();
   options.known_homes = std::move(*known_homes);
   return options;

@@ -12,6 +12,7 @@
 #include "cli/command_parser.h"
 #include "cli/common_options.h"
 #include "cli/progress_line.h"
+#include "cli/simulator_forms.h"
 #include "core/limits.h"
 #include "core/text.h"
 #include "dataset/configuration_json.h"
@@ -157,6 +158,9 @@ Exit make_data_set(RunCommand& command, const Resources& resources, const Comman
   command.run.licences = program.folders.licences();
   command.run.stop = program.interrupted;
   if (program.terminal) command.run.progress = [&line](const RunProgress& now) { line.draw(run_progress(now)); };
+  auto in_simulator = tell_in_simulator(resources, program.folders);
+  if (!in_simulator) return refuse(in_simulator.error());
+  command.run.in_simulator = std::move(*in_simulator);
   const auto report = run_generation(command.configuration, resources, command.run);
   line.wipe();
   if (!report) {

@@ -47,6 +47,7 @@ TaskEntry task_entry(const Task& task, const std::string& changes) {
   entry.instruction = task.instruction;
   entry.purpose = task.purpose;
   entry.sense = task.sense;
+  entry.forms = task.forms;
   entry.run_seed = task.seed;
   entry.slot = task.slot;
   entry.attempt = task.attempt;
@@ -97,6 +98,7 @@ TaskRow row_of(const TaskEntry& task) {
           std::string(name_of(task.instruction.style)),
           task.instruction.writer,
           std::string(name_of(task.sense.grade)),
+          join(task.forms, " "),
           task.bindings,
           {}};
 }

@@ -1,9 +1,11 @@
 #include "dataset/dataset_card.h"
 
 #include <array>
+#include <cstdio>
 #include <set>
 
 #include "core/text.h"
+#include "scene/simulator_forms.h"
 
 namespace unietp {
 namespace {
@@ -56,6 +58,30 @@ std::string count_table(const std::string& title, const std::map<std::string, in
   return text + "\n";
 }
 
+int count_of(const std::map<std::string, int>& counts, std::string_view name) {
+  const auto found = counts.find(std::string(name));
+  return found == counts.end() ? 0 : found->second;
+}
+
+/// How many of a simulator's tasks each of its forms expresses; "" where no simulator has tasks.
+std::string forms_table(const DatasetCounts& counts) {
+  std::string rows;
+  for (const SimulatorForm& form : kSimulatorForms) {
+    const int all = count_of(counts.by_simulator, name_of(form.simulator));
+    if (all == 0) continue;
+    const int expressed = count_of(counts.by_form, form.name);
+    std::array<char, 32> share{};
+    (void)std::snprintf(share.data(), share.size(), "%.1f %%", 100.0 * expressed / all);
+    rows += "| " + std::string(form.name) + " | " + std::to_string(expressed) + " | " + std::to_string(all) + " | " +
+            share.data() + " |\n";
+  }
+  if (rows.empty()) return "";
+  return "## In the simulators\n\nSome tasks can also be done in the simulator itself: `unietp export --format FORM` "
+         "writes them, and the field `forms` of a\ntask names them.\n\n"
+         "| form | tasks | of its simulator's | share |\n|---|---|---|---|\n" +
+         rows + "\n";
+}
+
 std::string funnel_table(const DatasetCounts& counts) {
   std::string text = "| stage | reason | candidates |\n|---|---|---|\n";
   for (const auto& [stage, reasons] : counts.rejections) {
@@ -93,11 +119,11 @@ std::string dataset_card(const Manifest& manifest) {
       "`unietp validate FOLDER` repeats all of this from the\nfiles alone: checksums, starts at rest, replays with the "
       "same results and views, goals false at the start and true at the end.\n\n";
   text += count_table("split", counts.by_split) + count_table("simulator", counts.by_simulator) +
-          count_table("template", counts.by_template);
+          count_table("template", counts.by_template) + forms_table(counts);
   text +=
       "## Files\n\n"
       "| file | content |\n|---|---|\n"
-      "| `tasks.jsonl` | one task per line: template, bindings, goal as text and tree, start, instruction |\n"
+      "| `tasks.jsonl` | one task per line: template, bindings, goal as text and tree, start, instruction, forms |\n"
       "| `homes/*.scene.json.gz` | the homes: rooms, objects, states, poses, relations; a task's `start.changes` gives "
       "its "
       "start |\n"

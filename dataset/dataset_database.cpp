@@ -16,7 +16,7 @@ constexpr const char* kSchema = R"(
 PRAGMA page_size=4096; PRAGMA journal_mode=OFF; PRAGMA synchronous=OFF;
 CREATE TABLE task(id TEXT PRIMARY KEY, template TEXT NOT NULL, split TEXT NOT NULL, simulator TEXT NOT NULL,
   scene TEXT NOT NULL, layout TEXT NOT NULL, goal TEXT NOT NULL, instruction TEXT NOT NULL, style TEXT NOT NULL,
-  writer TEXT NOT NULL, sense TEXT NOT NULL, steps INTEGER NOT NULL, failures INTEGER NOT NULL) STRICT;
+  writer TEXT NOT NULL, sense TEXT NOT NULL, forms TEXT NOT NULL, steps INTEGER NOT NULL, failures INTEGER NOT NULL) STRICT;
 CREATE TABLE binding(task TEXT NOT NULL REFERENCES task, placeholder TEXT NOT NULL, category TEXT NOT NULL) STRICT;
 CREATE TABLE step(task TEXT NOT NULL REFERENCES task, mode TEXT NOT NULL, number INTEGER NOT NULL, action TEXT NOT NULL,
   arguments TEXT NOT NULL, success INTEGER NOT NULL, failure TEXT NOT NULL) STRICT;
@@ -54,13 +54,13 @@ Result<DatasetDatabase> DatasetDatabase::begin(const fs::path& path) {
 
 Result<Done> DatasetDatabase::add_task(const TaskRow& task, const std::vector<Trait>& traits) {
   try {
-    auto insert = file_.prepare("INSERT INTO task VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?)");
+    auto insert = file_.prepare("INSERT INTO task VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
     bind_texts(insert, 1,
                {task.id, task.template_name, task.split, task.simulator, task.scene, task.layout, task.goal,
-                task.instruction, task.style, task.writer, task.sense});
+                task.instruction, task.style, task.writer, task.sense, task.forms});
     const auto [steps, failures] = steps_and_failures(task, Mode::M1);
-    insert.bind(12, std::int64_t{steps});
-    insert.bind(13, std::int64_t{failures});
+    insert.bind(13, std::int64_t{steps});
+    insert.bind(14, std::int64_t{failures});
     insert.step();
     auto binding = file_.prepare("INSERT INTO binding VALUES(?,?,?)");
     for (const auto& [placeholder, category] : task.bindings) {

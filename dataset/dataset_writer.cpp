@@ -1,6 +1,7 @@
 #include "dataset/dataset_writer.h"
 
 #include "core/files.h"
+#include "core/text.h"
 #include "core/version.h"
 #include "dataset/dataset_card.h"
 
@@ -41,6 +42,9 @@ Result<Done> DatasetWriter::add_task(const WrittenTask& task, const std::vector<
   ++counts_.by_simulator[row.simulator];
   ++counts_.by_template[row.template_name];
   ++counts_.by_sense[row.sense];
+  for (const std::string& form : split(row.forms, ' ')) {
+    if (!form.empty()) ++counts_.by_form[form];
+  }
   if (row.sense != name_of(Grade::Usual)) ++counts_.not_usual[row.template_name];
   traits_.add(traits);
   return database_.add_task(row, traits);

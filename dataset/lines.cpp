@@ -151,6 +151,7 @@ std::string line_of(const TaskEntry& task) {
   if (!task.purpose.name.empty())
     object.field("purpose", {{"name", task.purpose.name}, {"because", task.purpose.because}});
   object.field("sense", sense_json(task.sense));
+  object.field("forms", task.forms);
   object.field("expert", expert);
   object.field("seed", {{"run", task.run_seed}, {"slot", task.slot}, {"attempt", task.attempt}});
   return object.finish();

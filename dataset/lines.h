@@ -36,6 +36,7 @@ struct TaskEntry {
   Instruction instruction;
   TaskPurpose purpose;
   TaskSense sense;
+  std::vector<std::string> forms;  // of its simulator that express it (scene/simulator_forms.h)
   struct Count {
     Mode mode = Mode::M1;
     int steps = 0, failures = 0;

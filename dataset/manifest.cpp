@@ -131,6 +131,7 @@ std::string to_text(const Manifest& manifest) {
               {"by_simulator", counts_json(counts.by_simulator)},
               {"by_template", list_json("template", counts.by_template)},
               {"by_sense", counts_json(counts.by_sense)},
+              {"by_form", counts_json(counts.by_form)},
               {"not_usual", list_json("template", counts.not_usual)},
               {"balance", std::move(balance)},
               {"rejections", std::move(rejections)}}},

@@ -26,6 +26,7 @@ struct Task {
   std::vector<Trait> traits;  // its values in the balanced dimensions
   std::uint64_t seed = 0;     // of the run
   int slot = 0, attempt = 0;
+  std::vector<std::string> forms = {};  // of its simulator that express it (scene/simulator_forms.h)
 };
 
 /// A rejected candidate, with the properties that the task would have had.

@@ -19,9 +19,10 @@ struct ActionRow {
   bool operator==(const ActionRow&) const = default;
 };
 
-/// The fields of a task in dataset.sqlite and in the manifest's counts, without its traits.
+/// The fields of a task in dataset.sqlite and in the manifest's counts, without its traits. `forms`: with blanks
+/// between them.
 struct TaskRow {
-  std::string id, split, simulator, template_name, scene, layout, goal, instruction, style, writer, sense;
+  std::string id, split, simulator, template_name, scene, layout, goal, instruction, style, writer, sense, forms;
   std::vector<std::pair<std::string, std::string>> bindings;  // placeholder, category
   std::vector<ActionRow> actions;                             // of its demonstrations, one mode after the other
   bool operator==(const TaskRow&) const = default;

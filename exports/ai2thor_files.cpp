@@ -238,15 +238,17 @@ Result<ExpressTask> express_ai2thor(const ExportRequest& request) {
   auto [facts, wrong] = read_format_facts(request.data / "scene_files");
   if (!wrong.empty()) return wrong.front();
   return ExpressTask([facts = std::move(facts), &request](const FinishedTask& task) -> Result<ExpressedTask> {
-    if (task.start.simulator != Simulator::Ai2thor) return ExpressedTask{{}, "not a task of AI2-THOR"};
+    if (task.start.simulator != Simulator::Ai2thor) return ExpressedTask{"not a task of AI2-THOR", nullptr};
     const Knowledge& knowledge = *backend_of(request.backends, task.start).knowledge;
     auto house = write_house(task, knowledge, facts);
     if (!house) return house.error();
-    const auto json = task_json(task, *house, knowledge, facts);
-    if (!json) return ExpressedTask{{}, json.error().message};
-    const std::string& id = task.record.id;
-    std::string text = json->dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
-    return ExpressedTask{{{id + ".json", std::move(text)}, {id + ".house.json", std::move(house->written.text)}}, ""};
+    auto json = task_json(task, *house, knowledge, facts);
+    if (!json) return ExpressedTask{json.error().message, nullptr};
+    return ExpressedTask{"", [id = task.record.id, json = std::move(*json), text = std::move(house->written.text)] {
+                           return Result(std::vector<AssetFile>{
+                               {id + ".json", json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n"},
+                               {id + ".house.json", text}});
+                         }};
   });
 }
 

@@ -11,18 +11,21 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kRobot = "agent";  // its name in the scene that a runner makes
 
+/// The category of an object that a problem names and that has no model in OmniGibson; "" when all have one.
+std::string without_model(const FinishedTask& task, const BddlProblem& problem, const Knowledge& knowledge) {
+  for (const auto& [id, name] : problem.names) {
+    const Node* const node = find_node(task.start, id);  // none of a half, which comes when the whole is cut
+    if (node != nullptr && !has_behavior_model(*node, knowledge)) return node->category;
+  }
+  return "";
+}
+
 /// The home at the start, with what each of the problem's names stands for, as BehaviorTask reads it: the name of an
-/// object, of a substance or of the robot. Errors: Unsatisfiable, where a movable object that the problem names has no
-/// model.
-Result<std::string> sampled_scene(const FinishedTask& task, const BddlProblem& problem, const ExportedScene& scene) {
+/// object, of a substance or of the robot.
+std::string sampled_scene(const BddlProblem& problem, const ExportedScene& scene) {
   Json instances = Json::object();
   for (const auto& [id, name] : problem.names) {
-    if (id.find('/') != std::string::npos) continue;  // halves come when the whole is cut
-    const auto there = scene.names.find(id);
-    if (there == scene.names.end())
-      return Error{
-          Error::Kind::Unsatisfiable, "", {}, "no model of " + find_node(task.start, id)->category + " is known"};
-    instances[name] = there->second;
+    if (id.find('/') == std::string::npos) instances[name] = scene.names.at(id);
   }
   for (const auto& [substance, name] : problem.substances) instances[name] = substance;
   instances[kBddlAgent] = kRobot;
@@ -67,6 +70,18 @@ Json task_json(const FinishedTask& task, const BddlProblem& problem, const Expor
       {"plan", std::move(plan)}};
 }
 
+Result<std::vector<AssetFile>> activity_files(const FinishedTask& task, const BddlProblem& problem,
+                                              const Knowledge& knowledge) {
+  const auto scene = write_behavior(task.start, knowledge);
+  if (!scene) return scene.error();
+  const std::string& id = task.record.id;
+  std::string text = task_json(task, problem, *scene).dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return std::vector<AssetFile>{
+      {"activity_definitions/" + id + "/problem0.bddl", problem.text},
+      {"scenes/" + id + "/json/" + id + "_task_" + id + "_0_0_template.json", sampled_scene(problem, *scene)},
+      {id + ".json", std::move(text)}};
+}
+
 /// For each task of BEHAVIOR `activity_definitions/<task>/problem0.bddl`, the folder that the package `bddl` reads
 /// activities from; its start where OmniGibson looks for sampled scenes; and `<task>.json` with the exact goal over
 /// literals of BDDL; and left_out.jsonl.
@@ -81,18 +96,12 @@ Result<ExpressTask> express_behavior(const ExportRequest& request) {
   if (!words) return words.error();
   return ExpressTask([words = std::move(*words), &request](const FinishedTask& task) -> Result<ExpressedTask> {
     const Knowledge& knowledge = *backend_of(request.backends, task.start).knowledge;
-    const auto problem = bddl_problem(task, knowledge, words);
-    if (!problem) return ExpressedTask{{}, problem.error().message};
-    const auto scene = write_behavior(task.start, knowledge);
-    if (!scene) return scene.error();
-    auto sampled = sampled_scene(task, *problem, *scene);
-    if (!sampled) return ExpressedTask{{}, sampled.error().message};
-    const std::string& id = task.record.id;
-    std::string text = task_json(task, *problem, *scene).dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
-    return ExpressedTask{{{"activity_definitions/" + id + "/problem0.bddl", problem->text},
-                          {"scenes/" + id + "/json/" + id + "_task_" + id + "_0_0_template.json", std::move(*sampled)},
-                          {id + ".json", std::move(text)}},
-                         ""};
+    auto problem = bddl_problem(task, knowledge, words);
+    if (!problem) return ExpressedTask{problem.error().message, nullptr};
+    if (const auto lacking = without_model(task, *problem, knowledge); !lacking.empty())
+      return ExpressedTask{"no model of " + lacking + " is known", nullptr};
+    return ExpressedTask{
+        "", [&task, &knowledge, problem = std::move(*problem)] { return activity_files(task, problem, knowledge); }};
   });
 }
 

@@ -7,6 +7,7 @@
 #include "core/files.h"
 #include "exports/task_folder.h"
 #include "interchange/own_ids.h"
+#include "scene/simulator_forms.h"
 
 namespace unietp {
 namespace {
@@ -25,6 +26,23 @@ const Node* unknown_to_simulator(const FinishedTask& task, const Knowledge& know
   return nullptr;
 }
 
+/// Habitat's form is written for all tasks together, so that only its refusal is asked for here.
+Result<ExpressTask> express_named(std::string_view form, const ExportRequest& request) {
+  if (form == "ai2thor") return express_ai2thor(request);
+  if (form == "virtualhome") return express_virtualhome(request);
+  if (form == "virtualhome-unity") return express_virtualhome_unity(request);
+  if (form == "behavior") return express_behavior(request);
+  return ExpressTask([](const FinishedTask& task) -> Result<ExpressedTask> {
+    return ExpressedTask{refused_by_habitat(task), nullptr};
+  });
+}
+
+/// Why a form does not express a task; "" where it does.
+std::string refusal_of(const ExpressTask& form, const FinishedTask& task) {
+  auto expressed = form(task);
+  return expressed ? std::move(expressed->refused) : expressed.error().message;
+}
+
 }  // namespace
 
 Result<std::string> write_expressed(const ExportRequest& request, const Result<ExpressTask>& express) {
@@ -34,7 +52,9 @@ Result<std::string> write_expressed(const ExportRequest& request, const Result<E
     const auto expressed = (*express)(task);
     if (!expressed) return expressed.error();
     if (!expressed->refused.empty()) return std::optional(expressed->refused);
-    for (const AssetFile& file : expressed->files) {
+    const auto files = expressed->files();
+    if (!files) return files.error();
+    for (const AssetFile& file : *files) {
       if (auto written = write_file(folder, file.path, file.content); !written) return written.error();
     }
     return std::optional<std::string>();
@@ -44,26 +64,30 @@ Result<std::string> write_expressed(const ExportRequest& request, const Result<E
   return summary_of(*made, request.out);
 }
 
-Result<NativeCheck> native_check(const ExportRequest& request) {
-  std::array<ExpressTask, kSimulators.size()> forms;  // but Habitat's, which is written for all tasks together
-  const std::array makers{std::pair{Simulator::Ai2thor, &express_ai2thor},
-                          std::pair{Simulator::Virtualhome, &express_virtualhome_unity},
-                          std::pair{Simulator::Behavior, &express_behavior}};
-  for (const auto& [simulator, maker] : makers) {
-    auto form = maker(request);
+Result<TellForms> tell_forms(const ExportRequest& request) {
+  std::array<ExpressTask, kSimulatorForms.size()> forms;
+  for (std::size_t i = 0; i < forms.size(); ++i) {
+    auto form = express_named(kSimulatorForms[i].name, request);
     if (!form) return form.error();
-    forms[static_cast<std::size_t>(simulator)] = std::move(*form);
+    forms[i] = std::move(*form);
   }
-  return NativeCheck([forms = std::move(forms), &request](const FinishedTask& task) -> Result<std::string> {
-    const Knowledge& knowledge = *backend_of(request.backends, task.start).knowledge;
-    if (const Node* const node = unknown_to_simulator(task, knowledge))
-      return node->id + ": the simulator has no model of " + node->category;
-    const ExpressTask& express = forms[static_cast<std::size_t>(task.start.simulator)];
-    if (!express) return refused_by_habitat(task);
-    auto expressed = express(task);
-    if (!expressed) return expressed.error();
-    return std::move(expressed->refused);
+  return TellForms([forms = std::move(forms)](const FinishedTask& task) {
+    ToldForms told;
+    for (std::size_t i = forms.size(); i-- > 0;) {  // what the strictest expresses, the others do
+      if (kSimulatorForms[i].simulator != task.start.simulator) continue;
+      const bool expressed = !told.express.empty();
+      auto refused = expressed ? std::string() : refusal_of(forms[i], task);
+      if (refused.empty()) told.express.insert(told.express.begin(), std::string(kSimulatorForms[i].name));
+      if (!refused.empty() && told.refused.empty()) told.refused = std::move(refused);
+    }
+    return told;
   });
+}
+
+std::string refused_in_simulator(const FinishedTask& task, const ToldForms& told, const Knowledge& knowledge) {
+  if (const Node* const node = unknown_to_simulator(task, knowledge))
+    return node->id + ": the simulator has no model of " + node->category;
+  return told.refused;
 }
 
 }  // namespace unietp

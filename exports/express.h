@@ -11,10 +11,11 @@
 
 namespace unietp {
 
-/// A task in the form of its simulator.
+/// What a form of its simulator makes of a task.
 struct ExpressedTask {
-  std::vector<AssetFile> files;  // by path in the folder of the export
-  std::string refused;           // why the form does not express the task; then there are no files
+  std::string refused;  // why the form does not express the task; "" where it does
+  /// The files by their paths in the folder of the export; empty where it is refused. Called while the task is there.
+  std::function<Result<std::vector<AssetFile>>()> files;
 };
 /// Expresses a task with its demonstration in M1. Errors: of a start that cannot be written at all.
 using ExpressTask = std::function<Result<ExpressedTask>(const FinishedTask&)>;
@@ -32,12 +33,20 @@ std::string refused_by_habitat(const FinishedTask& task);
 /// Writes each task of a data set that is expressed, and left_out.jsonl. Errors: as write_task_folder.
 Result<std::string> write_expressed(const ExportRequest& request, const Result<ExpressTask>& express);
 
+/// What the forms of its simulator (scene/simulator_forms.h) say of a task with its demonstration in M1.
+struct ToldForms {
+  std::vector<std::string> express;  // the forms that express it, in their order
+  std::string refused;               // why the strictest one does not; "" where it does
+};
+using TellForms = std::function<ToldForms(const FinishedTask&)>;
+/// Asks what writes each form, without writing. The request must outlive the result, which several threads may call.
+/// Errors: those of the tables of the formats.
+Result<TellForms> tell_forms(const ExportRequest& request);
+
 /// Why a task cannot be done in its simulator itself; "" when it can. Of a task in the profile `native`, each object
 /// that the demonstration handles is one of the simulator's own scene, or the simulator has a model of it; and the
-/// simulator's form, in VirtualHome the one for Unity, expresses the task, so that each state of the goal and each
-/// action of the demonstration is one that the simulator has.
-using NativeCheck = std::function<Result<std::string>(const FinishedTask&)>;
-/// As above. The request must outlive the result, which several threads may call.
-Result<NativeCheck> native_check(const ExportRequest& request);
+/// simulator's strictest form expresses the task, so that each state of the goal and each action of the demonstration
+/// is one that the simulator has.
+std::string refused_in_simulator(const FinishedTask& task, const ToldForms& told, const Knowledge& knowledge);
 
 }  // namespace unietp

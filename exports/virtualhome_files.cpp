@@ -1,3 +1,5 @@
+#include <memory>
+
 #include <nlohmann/json.hpp>
 
 #include "core/text.h"
@@ -20,43 +22,50 @@ Result<std::string> write_virtualhome_unity_files(const ExportRequest& request) 
   return write_expressed(request, express_virtualhome_unity(request));
 }
 
+Result<std::vector<AssetFile>> files_of(const FinishedTask& task, const std::vector<std::string>& program,
+                                        const Knowledge& knowledge, const FormatFacts& facts) {
+  auto graph = write_virtualhome(task.start, knowledge, facts);
+  if (!graph) return graph.error();
+  const TaskRecord& record = task.record;
+  const nlohmann::ordered_json names(graph->names);
+  return std::vector<AssetFile>{
+      {record.id + ".json", std::move(graph->text)},
+      {record.id + ".txt", record.template_name + "\n" + record.instruction + "\n\n\n" + join(program, "\n") + "\n"},
+      {record.id + ".names.json", names.dump(1) + "\n"}};
+}
+
+/// `denied`: why a program is not allowed, or "".
+ExpressTask express(FormatFacts read, const ExportRequest& request,
+                    std::function<std::string(const std::vector<std::string>& program)> denied) {
+  const auto facts = std::make_shared<const FormatFacts>(std::move(read));
+  return [facts, &request, denied = std::move(denied)](const FinishedTask& task) -> Result<ExpressedTask> {
+    if (task.start.simulator != Simulator::Virtualhome) return ExpressedTask{"not a task of VirtualHome", nullptr};
+    const Knowledge& knowledge = *backend_of(request.backends, task.start).knowledge;
+    auto program =
+        virtualhome_program(task.shown.at(Mode::M1), task.start, virtualhome_names(task.start, knowledge, *facts));
+    if (!program) return ExpressedTask{program.error().message, nullptr};
+    if (auto why = denied(*program); !why.empty()) return ExpressedTask{std::move(why), nullptr};
+    return ExpressedTask{"", [&task, &knowledge, facts, program = std::move(*program)] {
+                           return files_of(task, program, knowledge, *facts);
+                         }};
+  };
+}
+
 }  // namespace
 
 Result<ExpressTask> express_virtualhome(const ExportRequest& request) {
   auto [facts, wrong] = read_format_facts(request.data / "scene_files");
   if (!wrong.empty()) return wrong.front();
-  return ExpressTask([facts = std::move(facts), &request](const FinishedTask& task) -> Result<ExpressedTask> {
-    if (task.start.simulator != Simulator::Virtualhome) return ExpressedTask{{}, "not a task of VirtualHome"};
-    auto graph = write_virtualhome(task.start, *backend_of(request.backends, task.start).knowledge, facts);
-    if (!graph) return graph.error();
-    const auto program = virtualhome_program(task.shown.at(Mode::M1), task.start, graph->names);
-    if (!program) return ExpressedTask{{}, program.error().message};
-    const TaskRecord& record = task.record;
-    const nlohmann::ordered_json names(graph->names);
-    return ExpressedTask{{{record.id + ".json", std::move(graph->text)},
-                          {record.id + ".txt",
-                           record.template_name + "\n" + record.instruction + "\n\n\n" + join(*program, "\n") + "\n"},
-                          {record.id + ".names.json", names.dump(1) + "\n"}},
-                         ""};
-  });
+  return express(std::move(facts), request, [](const auto&) { return std::string(); });
 }
 
 Result<ExpressTask> express_virtualhome_unity(const ExportRequest& request) {
-  auto express = express_virtualhome(request);
-  if (!express) return express;
+  auto [facts, wrong] = read_format_facts(request.data / "scene_files");
+  if (!wrong.empty()) return wrong.front();
   auto classes = read_unity_classes(request.data / "scene_files" / "virtualhome_unity.csv");
   if (!classes) return classes.error();
-  return ExpressTask([express = std::move(*express),
-                      classes = std::move(*classes)](const FinishedTask& task) -> Result<ExpressedTask> {
-    auto made = express(task);
-    if (!made || !made->refused.empty()) return made;
-    for (const AssetFile& file : made->files) {
-      if (!file.path.ends_with(".txt")) continue;
-      if (auto denied = denied_by_unity(split(file.content, '\n'), classes); !denied.empty())
-        return ExpressedTask{{}, std::move(denied)};
-    }
-    return made;
-  });
+  return express(std::move(facts), request,
+                 [classes = std::move(*classes)](const auto& program) { return denied_by_unity(program, classes); });
 }
 
 ExportFormat virtualhome_format() {

@@ -26,6 +26,21 @@ Json resting(const Vec3& position, const Quat& q, Json non_kin) {
   return {{"root_link", std::move(root)}, {"joints", Json::object()}, {"non_kin", std::move(non_kin)}};
 }
 
+/// The largest part by which a side of the object differs from the model's.
+double stretch(const Asset& model, const Node& node) {
+  return (node.size.cwiseQuotient(model.size) - Vec3::Ones()).cwiseAbs().maxCoeff();
+}
+
+/// The object's own model, else that of its category which is stretched least: OmniGibson scales each axis.
+const Asset* model_of(const Node& node, const Knowledge& knowledge) {
+  if (const Asset* own = knowledge.asset(node.asset)) return own;
+  const auto models = knowledge.asset_rows_of(node.category);
+  const auto least = std::min_element(models.begin(), models.end(), [&](const Asset* a, const Asset* b) {
+    return stretch(*a, node) < stretch(*b, node);
+  });
+  return least == models.end() ? nullptr : *least;
+}
+
 class BehaviorWriter {
  public:
   BehaviorWriter(const Scene& scene, const Knowledge& knowledge) : scene_(scene), knowledge_(knowledge) {}
@@ -71,21 +86,6 @@ class BehaviorWriter {
     }
   }
 
-  /// The largest part by which a side of the object differs from the model's.
-  static double stretch(const Asset& model, const Node& node) {
-    return (node.size.cwiseQuotient(model.size) - Vec3::Ones()).cwiseAbs().maxCoeff();
-  }
-
-  /// The object's own model, else that of its category which is stretched least: OmniGibson scales each axis.
-  const Asset* model_of(const Node& node) const {
-    if (const Asset* own = knowledge_.asset(node.asset)) return own;
-    const auto models = knowledge_.asset_rows_of(node.category);
-    const auto least = std::min_element(models.begin(), models.end(), [&](const Asset* a, const Asset* b) {
-      return stretch(*a, node) < stretch(*b, node);
-    });
-    return least == models.end() ? nullptr : *least;
-  }
-
   /// The name in the scene that the home was imported from; for others a new one, of the model with a number.
   std::string name_of_object(const Node& node, const std::string& stem) {
     if (auto own = own_id_of(node, Simulator::Behavior)) return *own;
@@ -96,7 +96,7 @@ class BehaviorWriter {
   }
 
   void add(const Node& node) {
-    const Asset* const asset = model_of(node);
+    const Asset* const asset = model_of(node, knowledge_);
     if (asset == nullptr) {
       left_out_.push_back(node.id + ": no model of " + node.category + " is known");
       return;
@@ -135,6 +135,8 @@ class BehaviorWriter {
 };
 
 }  // namespace
+
+bool has_behavior_model(const Node& node, const Knowledge& knowledge) { return model_of(node, knowledge) != nullptr; }
 
 Result<ExportedScene> write_behavior(const Scene& scene, const Knowledge& knowledge) {
   if (scene.simulator != Simulator::Behavior)

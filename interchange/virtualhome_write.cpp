@@ -44,6 +44,21 @@ class Exporter {
       : scene_(scene), knowledge_(knowledge), facts_(facts) {}
 
   ExportedScene write() {
+    add_nodes();
+    for (const Edge& edge : scene_.edges) add_edge(edge);
+    add_held();
+    add_close();
+    add_facing();
+    return {text(), std::move(left_out_), std::move(names_)};
+  }
+
+  std::map<std::string, std::string> names() {
+    add_nodes();
+    return std::move(names_);
+  }
+
+ private:
+  void add_nodes() {
     for (const Node& node : scene_.nodes) {
       if (const int number = own_number(node); number > 0) own_numbers_.insert(number);
     }
@@ -52,14 +67,8 @@ class Exporter {
     for (const Opening& opening : scene_.openings) add_doorway(opening);
     add_agent();
     for (const Node& node : scene_.nodes) add_object(node);
-    for (const Edge& edge : scene_.edges) add_edge(edge);
-    add_held();
-    add_close();
-    add_facing();
-    return {text(), std::move(left_out_), std::move(names_)};
   }
 
- private:
   struct Placed {
     int id = 0;
     Bounds bounds;
@@ -279,6 +288,11 @@ class Exporter {
 };
 
 }  // namespace
+
+std::map<std::string, std::string> virtualhome_names(const Scene& scene, const Knowledge& knowledge,
+                                                     const FormatFacts& facts) {
+  return Exporter(scene, knowledge, facts).names();
+}
 
 Result<ExportedScene> write_virtualhome(const Scene& scene, const Knowledge& knowledge, const FormatFacts& facts) {
   if (scene.simulator != Simulator::Virtualhome || knowledge.simulator() != Simulator::Virtualhome) {

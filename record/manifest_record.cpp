@@ -121,6 +121,7 @@ void read_counts(JsonReader& reader, const JsonAt& at, ManifestRecord& manifest)
   if (const auto f = fields.required("by_simulator")) manifest.by_simulator = read_shares(reader, *f);
   if (const auto f = fields.required("by_template")) read_by_template(reader, *f, manifest.by_template);
   if (const auto f = fields.required("by_sense")) manifest.by_sense = read_shares(reader, *f);
+  if (const auto f = fields.required("by_form")) manifest.by_form = read_shares(reader, *f);
   if (const auto f = fields.required("not_usual")) read_by_template(reader, *f, manifest.not_usual);
   if (const auto f = fields.optional("balance")) manifest.balance = read_balance(reader, *f);
   if (const auto f = fields.required("rejections")) {

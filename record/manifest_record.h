@@ -75,7 +75,7 @@ struct ManifestRecord {
   RecordedRun run;
   std::string phrasings, english;  // of the present instructions
   int tasks = 0, candidates = 0;
-  std::map<std::string, int> by_split, by_simulator, by_template, by_sense;
+  std::map<std::string, int> by_split, by_simulator, by_template, by_sense, by_form;
   std::map<std::string, int> not_usual;                          // by template
   std::map<std::string, std::map<std::string, int>> rejections;  // by stage and reason
   std::vector<RecordedSpread> balance;

@@ -116,6 +116,7 @@ Result<TaskRecord> read_task(std::string_view where, int line, std::string_view 
     if (const auto f = fields.required("instruction")) read_instruction(reader, *f, task);
     if (const auto f = fields.optional("purpose")) read_purpose(reader, *f, task);
     if (const auto f = fields.required("sense")) read_sense(reader, *f, task);
+    if (const auto f = fields.required("forms")) task.forms = reader.texts(*f);
     if (const auto f = fields.required("expert")) read_expert(reader, *f, task);
     if (const auto f = fields.required("seed")) read_seed(reader, *f, task);
   });

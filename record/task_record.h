@@ -36,7 +36,8 @@ struct TaskRecord {
     std::string part, grade, why;
     bool operator==(const SensePart&) const = default;
   };
-  std::vector<SensePart> sense;  // worst first
+  std::vector<SensePart> sense;    // worst first
+  std::vector<std::string> forms;  // of its simulator that express it
   struct Count {
     Mode mode = Mode::M1;
     int steps = 0, failures = 0;

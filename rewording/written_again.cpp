@@ -35,6 +35,7 @@ TaskEntry written_again(const TaskRecord& task, const Instruction& instruction) 
   entry.sense.grade = grade_named(task.grade).value_or(Grade::Senseless);
   for (const auto& part : task.sense)
     entry.sense.parts.push_back({part.part, {grade_named(part.grade).value_or(Grade::Senseless), 0, {}, part.why}});
+  entry.forms = task.forms;
   for (const auto& count : task.expert)
     entry.expert.push_back({count.mode, count.steps, count.failures, count.shortest});
   entry.run_seed = task.run;
@@ -114,6 +115,7 @@ Result<Manifest> written_again(std::string_view where, const ManifestRecord& man
   again.counts.by_simulator = manifest.by_simulator;
   again.counts.by_template = manifest.by_template;
   again.counts.by_sense = manifest.by_sense;
+  again.counts.by_form = manifest.by_form;
   again.counts.not_usual = manifest.not_usual;
   again.counts.rejections = manifest.rejections;
   for (const auto& spread : manifest.balance) {

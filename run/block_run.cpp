@@ -82,19 +82,22 @@ void BlockRun::draw_home(std::size_t which) {
 void BlockRun::try_plan(const CandidatePlan& plan) {
   const auto& slot = block_.slots[static_cast<std::size_t>(plan.slot - block_.first())];
   StageCosts costs;
-  const auto made = make_task(configuration_, resources_, layouts_, slot, plan, planner_.counts(), &costs);
+  auto made = make_task(configuration_, resources_, layouts_, slot, plan, planner_.counts(), &costs);
   StageTimer timer(&costs, Stage::Writing);
-  auto record = record_of(made);
-  if (const auto* task = std::get_if<Task>(&made); task != nullptr && callbacks_.not_native) {
-    const auto& specification = task->episode.specification;
-    if (auto why = callbacks_.not_native(*task, record.task); !why.empty())
-      record = record_of(RejectedCandidate{{RejectionReason::GateSimulator, std::move(why)},
-                                           specification.template_name,
-                                           specification.simulator,
-                                           specification.split,
-                                           task->slot,
-                                           task->attempt});
+  if (auto* task = std::get_if<Task>(&made); task != nullptr && callbacks_.in_simulator) {
+    InSimulator told = callbacks_.in_simulator(*task);
+    task->forms = std::move(told.forms);
+    if (configuration_.native && !told.refused.empty()) {
+      const auto& specification = task->episode.specification;
+      made = RejectedCandidate{{RejectionReason::GateSimulator, std::move(told.refused)},
+                               specification.template_name,
+                               specification.simulator,
+                               specification.split,
+                               task->slot,
+                               task->attempt};
+    }
   }
+  auto record = record_of(made);
   timer.enter(Stage::Ledger);
   add_to_ledger(std::move(record), costs);
   timer.stop();

@@ -7,19 +7,19 @@
 
 #include "run/blocks.h"
 #include "run/candidate_planner.h"
+#include "run/in_simulator.h"
 #include "run/layout_pool.h"
 #include "run/ledger.h"
-#include "run/not_native.h"
 #include "run/selection.h"
 #include "run/stage_costs.h"
 
 namespace unietp {
 
-/// Callbacks of a block while it is filled, called from several threads. Only `not_native` affects the data set.
+/// Callbacks of a block while it is filled, called from several threads. Only `in_simulator` affects the data set.
 struct BlockCallbacks {
   std::function<void(const StageCosts&)> on_costs;  // time spent since the last call
   std::function<void(bool accepted)> on_candidate;  // a candidate is finished
-  NotNative not_native;                             // refuses tasks; may be empty
+  TellInSimulator in_simulator;                     // empty: tasks have no forms
 };
 
 /// Fills a block's slots in batches of work: first its homes, then attempt k of all open slots; after each attempt

@@ -16,10 +16,10 @@ constexpr const char* kPragmas =
     "PRAGMA page_size=8192; PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL; PRAGMA wal_autocheckpoint=4096;";
 
 /// The columns of a candidate between `accepted` and `cost`, all texts, in the order of `texts_of`.
-constexpr std::array<std::string_view, 21> kTexts{
-    "template",      "simulator", "split",    "id",     "scene",    "layout",  "goal",
-    "instruction",   "style",     "writer",   "sense",  "bindings", "actions", "task",
-    "demonstration", "start_key", "text_key", "traits", "stage",    "reason",  "detail"};
+constexpr std::array<std::string_view, 22> kTexts{
+    "template",  "simulator", "split",  "id",    "scene",    "layout",  "goal", "instruction",
+    "style",     "writer",    "sense",  "forms", "bindings", "actions", "task", "demonstration",
+    "start_key", "text_key",  "traits", "stage", "reason",   "detail"};
 
 /// What a candidate's row says in another form than its record does.
 struct OwnTexts {
@@ -44,6 +44,7 @@ auto texts_of(Record& record, Own& own) -> std::array<decltype(&record.template_
           &row.style,
           &row.writer,
           &row.sense,
+          &row.forms,
           &own.bindings,
           &own.actions,
           &record.task.line,

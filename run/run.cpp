@@ -173,7 +173,7 @@ Result<RunReport> run_generation(const RunConfiguration& configuration, const Re
   RunTotals totals(options, asked);
   FillOptions fill{options.threads, options.stop, {}, {}};
   fill.callbacks = {[&](const StageCosts& costs) { totals.add_costs(costs); },
-                    [&](bool accepted) { totals.add_candidate(accepted); }, options.not_native};
+                    [&](bool accepted) { totals.add_candidate(accepted); }, options.in_simulator};
   fill.on_block = [&](const Block& block, const BlockRun& run) -> Result<Done> {
     StageCosts costs;
     StageTimer timer(&costs, Stage::Dataset);

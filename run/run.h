@@ -13,7 +13,7 @@
 #include "dataset/configuration.h"
 #include "dataset/lines.h"
 #include "resources/resources.h"
-#include "run/not_native.h"
+#include "run/in_simulator.h"
 #include "run/shard.h"
 #include "run/stage_costs.h"
 
@@ -27,7 +27,7 @@ struct RunProgress {
   int tasks_now = 0;         // accepted by this process, for the rate
 };
 
-/// How the run is carried out. Does not affect the data set, but for `not_native`, which goes with the configuration.
+/// How the run is carried out. Does not affect the data set, but for `in_simulator`, which the program always gives.
 struct RunOptions {
   std::filesystem::path out;
   std::filesystem::path licences;  // table of the sources' licenses, for the manifest
@@ -38,7 +38,7 @@ struct RunOptions {
   const std::atomic<bool>* stop = nullptr;           // set from outside: finish the current candidates, then return
   std::function<void(const RunProgress&)> progress;  // called with a lock held; may be empty
   StageCosts* costs = nullptr;                       // the run's costs are added to it; may be null
-  NotNative not_native;                              // of a configuration that is `native`; empty otherwise
+  TellInSimulator in_simulator;                      // the forms of each task; empty: they have none, native or not
 };
 
 /// A slot that has no task after its last attempt.

@@ -28,7 +28,8 @@ constexpr std::array<std::string_view, 5> kTables{
     "CREATE TABLE task(id TEXT PRIMARY KEY, template TEXT NOT NULL, split TEXT NOT NULL, simulator TEXT NOT NULL, "
     "scene "
     "TEXT NOT NULL, layout TEXT NOT NULL, goal TEXT NOT NULL, instruction TEXT NOT NULL, style TEXT NOT NULL, writer "
-    "TEXT NOT NULL, sense TEXT NOT NULL, steps INTEGER NOT NULL, failures INTEGER NOT NULL) STRICT",
+    "TEXT NOT NULL, sense TEXT NOT NULL, forms TEXT NOT NULL, steps INTEGER NOT NULL, failures INTEGER NOT NULL) "
+    "STRICT",
     "CREATE TABLE trait(task TEXT NOT NULL REFERENCES task, dimension TEXT NOT NULL, value TEXT NOT NULL) STRICT"};
 
 Problem database_problem(const std::string& task, std::string message) {
@@ -72,7 +73,7 @@ NamedValues values_of(const TaskRecord& task) {
                      {"scene", task.scene},    {"layout", task.layout},
                      {"goal", task.goal_text}, {"instruction", task.instruction},
                      {"style", task.style},    {"writer", task.writer},
-                     {"sense", task.grade}};
+                     {"sense", task.grade},    {"forms", join(task.forms, " ")}};
   if (task.expert.empty()) return values;
   values.emplace_back("steps", std::to_string(task.expert.front().steps));
   values.emplace_back("failures", std::to_string(task.expert.front().failures));
@@ -154,7 +155,7 @@ struct DatabaseCheck::Tables {
   explicit Tables(const std::filesystem::path& path)
       : file(path, SqliteFile::Mode::Read),
         tasks(file.prepare(
-            "SELECT id, template, split, simulator, scene, layout, goal, instruction, style, writer, sense, "
+            "SELECT id, template, split, simulator, scene, layout, goal, instruction, style, writer, sense, forms, "
             "steps, failures FROM task ORDER BY rowid")),
         rejections(file.prepare("SELECT slot, attempt, template, simulator, split, stage, reason, detail FROM "
                                 "rejection ORDER BY rowid")),

@@ -48,6 +48,7 @@ constexpr std::array kProblems{
     ProblemInfo{Kind::Unrest, "unrest", "an object is not at rest at the start"},
     ProblemInfo{Kind::StartConstraint, "start-constraint", "a recorded start constraint does not hold"},
     ProblemInfo{Kind::Edits, "edits", "a start, or the edits that name what was changed, is not what the run made"},
+    ProblemInfo{Kind::Forms, "forms", "a task's forms are not those of its simulator that express it"},
     ProblemInfo{Kind::GoalText, "goal-text", "the goal's text is not a valid goal"},
     ProblemInfo{Kind::GoalTree, "goal-tree", "the goal's tree and text are different formulas"},
     ProblemInfo{Kind::Sense, "sense", "a recorded grade, or a reason for it, is not the one that the goal has"},

@@ -50,6 +50,7 @@ enum class ProblemKind : std::uint8_t {
   Unrest,
   StartConstraint,
   Edits,
+  Forms,
   // the goal
   GoalText,
   GoalTree,

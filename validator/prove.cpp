@@ -102,6 +102,7 @@ class TaskProver {
     LinkTable links(start_, physics);
     found(prove_start(start_, physics, links, tools_.rest, reading_.where));
     prove_instruction();
+    if (in_m1 != shown.end()) prove_forms(in_m1->second);
     KnownStart known{.physics = std::move(physics)};
     if (start_.agent.held.empty()) known.links = std::move(links);  // what is held has others once it is in the hand
     const auto world = World::create(start_, *backend_->knowledge, *backend_->profile, std::move(known));
@@ -152,6 +153,14 @@ class TaskProver {
         !made->instruction.empty() && made->instruction != task_.instruction)
       found(ProblemKind::TextRecord, reading_.where,
             "its instruction is not the one that the run wrote, and the manifest says of no other writing");
+  }
+
+  void prove_forms(const DemonstrationRecord& shown) {
+    if (!tools_.options.forms_of) return;
+    const auto forms = tools_.options.forms_of({task_, {{Mode::M1, shown}}, std::nullopt, start_});
+    if (forms != task_.forms)
+      found(ProblemKind::Forms, reading_.where,
+            "has the forms \"" + join(task_.forms, " ") + "\", expected \"" + join(forms, " ") + "\"");
   }
 
   std::string where_shown(Mode mode) const {

@@ -122,6 +122,7 @@ void TaskRecount::add(const TaskReading& task) {
   ++simulators_[task.record->simulator];
   ++templates_[task.record->template_name];
   ++grades_[task.record->grade];
+  for (const std::string& form : task.record->forms) ++forms_[form];
   if (task.record->grade != "usual") ++not_usual_[task.record->template_name];
   ++writers_[task.record->writer];
   check_task(task);
@@ -176,6 +177,7 @@ ProblemList TaskRecount::wrong_counts(const RejectionCounts& rejections) const {
     compare(ProblemKind::Counts, manifest_.by_simulator, simulators_, "counts ", "tasks on", problems);
     compare(ProblemKind::Counts, manifest_.by_template, templates_, "counts ", "tasks of the template", problems);
     compare(ProblemKind::Counts, manifest_.by_sense, grades_, "counts ", "tasks of the grade", problems);
+    compare(ProblemKind::Counts, manifest_.by_form, forms_, "counts ", "tasks in the form", problems);
     compare(ProblemKind::Counts, manifest_.not_usual, not_usual_, "counts ",
             "tasks that are not usual, of the template", problems);
   }

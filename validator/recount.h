@@ -62,7 +62,7 @@ class TaskRecount {
   const ManifestRecord& manifest_;
   int tasks_ = 0;
   bool all_read_ = true;  // false: split, simulator and template of some task are not known
-  NameCounts splits_, simulators_, templates_, grades_, not_usual_, writers_;
+  NameCounts splits_, simulators_, templates_, grades_, forms_, not_usual_, writers_;
   ProblemList quota_problems_;  // of single tasks, up to the first that cannot be read
 };
 

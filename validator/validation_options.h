@@ -9,6 +9,7 @@
 
 #include "akb/knowledge.h"
 #include "core/result.h"
+#include "record/dataset_reader.h"
 #include "record/manifest_record.h"
 #include "record/task_record.h"
 #include "scene/scene.h"
@@ -54,6 +55,9 @@ using RemakeTask =
     std::function<Result<RemadeTask>(const TaskRecord&, const Formula& goal, const std::vector<Formula>& constraints,
                                      const std::shared_ptr<const Scene>& home, const ManifestRecord&)>;
 
+/// The forms of its simulator that express a task with its demonstration in M1. Called by several threads at once.
+using FormsOf = std::function<std::vector<std::string>(FinishedTask)>;
+
 /// A changed plan of a task's demonstration that was run.
 struct TriedPlan {
   Mode mode = Mode::M1;
@@ -73,6 +77,7 @@ struct ValidationOptions {
   std::map<std::string, std::string> known_homes;  // of the benchmark: the SHA-256 of their JSON, by name
   MakeHome make_home;                              // none: homes are only held against physics
   RemakeTask remake_task;                          // none: starts are only held against physics
+  FormsOf forms_of;                                // none: a task's forms are only counted
   DeriveFiles derive_files;                        // none: README.md and the sources are not compared
   std::vector<std::filesystem::path> against;      // finished data sets with which nothing may be shared
   TakePlan take_plan;                              // none: changed plans are run and forgotten

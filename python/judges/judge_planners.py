@@ -5,9 +5,11 @@ reach the goal, and not without any one of its steps. Then it must find a plan i
 of these is acted out once more by unified-planning's simulator, which reads the PDDL with a parser of its own; that takes half
 a minute a problem or more, because it writes out every conditional effect in Python.
 
-OUT.csv gets a row as soon as a problem is judged, and a later call goes on with the others. Problems come in an order that
-has nothing to do with what they are, so that those judged so far are a fair sample. The rows do not depend on the machine,
-except where Fast Downward runs out of time.
+OUT.csv gets a row as soon as a problem is judged, so that a slow one holds up no other, and a later call goes on with those
+that have none. Problems come in an order that has nothing to do with what they are, so that those judged so far are a fair
+sample. Grounding, searching and acting out each have a limit of memory and of time of the processor; a problem that needs
+more is recorded as "not within" it. The limit of time is generous, so that the one of memory, which does not depend on how
+fast the machine is, comes first.
 
 Exit code 1: a problem was not grounded or solved, or a plan was judged otherwise than it should be.
 """
@@ -16,12 +18,13 @@ import argparse
 import csv
 import hashlib
 import os
+import resource
 import subprocess
 import sys
 import tempfile
 import warnings
 from collections import Counter
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
 import up_fast_downward
@@ -43,10 +46,41 @@ COLUMNS = ("task", "grounded", "stored_steps", "stored_valid", "steps_not_needed
            "unified_planning")  # fmt: skip
 
 
-def downward(folder, *arguments):
-    """Fast Downward in a folder; why it did not do it, "" where it did."""
-    done = subprocess.run([sys.executable, DOWNWARD, *arguments], cwd=folder, capture_output=True, text=True)
-    return "" if done.returncode == 0 else f"exit code {done.returncode}"
+# What Fast Downward's exit codes say of its limits; 24 is both.
+OUT_OF_MEMORY, OUT_OF_TIME = (20, 22, 24), (21, 23)
+
+
+class Limits:
+    """Of one process: seconds of the processor, and MiB of memory."""
+
+    def __init__(self, seconds, memory):
+        self.seconds, self.memory = seconds, memory
+
+    def of(self, part):
+        return (f"--{part}-time-limit", str(self.seconds), f"--{part}-memory-limit", f"{self.memory}M")
+
+    def downward(self, folder, *arguments):
+        """Fast Downward in a folder; why it did not do it, "" where it did."""
+        done = subprocess.run([sys.executable, DOWNWARD, *arguments], cwd=folder, capture_output=True, text=True)
+        if done.returncode in OUT_OF_MEMORY:
+            return f"not within {self.memory} MiB"
+        if done.returncode in OUT_OF_TIME:
+            return f"not within {self.seconds} s"
+        return "" if done.returncode == 0 else f"exit code {done.returncode}"
+
+    def act_out(self, problem, plan):
+        """Whether unified-planning reaches the goal with the plan in a file: "yes", "no", or why it did not say."""
+        command = [sys.executable, __file__, "--act", str(problem), str(plan)]
+        done = subprocess.run(command, capture_output=True, text=True, preexec_fn=self.set)
+        if done.returncode == 0:
+            return done.stdout.strip()
+        if done.returncode in (-9, -24):  # the kernel ends what has used its time
+            return f"not within {self.seconds} s"
+        return f"not within {self.memory} MiB" if "MemoryError" in done.stderr else f"exit code {done.returncode}"
+
+    def set(self):
+        resource.setrlimit(resource.RLIMIT_CPU, (self.seconds, self.seconds))
+        resource.setrlimit(resource.RLIMIT_AS, (self.memory << 20, self.memory << 20))
 
 
 def kind_of(plan, step):
@@ -55,57 +89,58 @@ def kind_of(plan, step):
     return "again" if walks and walks[-1] == plan[step] else plan[step].split()[0]
 
 
-def judged_by_downward(problem, seconds):
-    """The columns of a row up to `solution_valid`, and the text of the plan that was found."""
+def judged_by_downward(problem, limits, folder):
+    """The columns of a row up to `solution_valid`. The plan that was found is left in `folder`."""
     row = {"task": problem.stem}
-    with tempfile.TemporaryDirectory() as folder:
-        inputs = [problem.with_name("domain.pddl").resolve(), problem.resolve()]
-        limit = ("--translate", "--translate-time-limit", str(seconds))
-        failed = downward(folder, *limit, *inputs, "--translate-options", *WITHOUT_INVARIANTS)
-        row["grounded"] = failed or "yes"
-        if failed:
-            return row, None
-        task = SasTask(Path(folder) / "output.sas")
-        stored = list(actions_of(problem.with_suffix(".plan").read_text()))
-        states = task.states(stored)
-        valid = len(states) == len(stored) + 1 and holds(task.goal, states[-1])
-        spare = [
-            f"{left_out}:{kind_of(stored, left_out)}"
-            for left_out in range(len(stored) if valid else 0)
-            if task.reaches(stored[left_out + 1 :], states[left_out])
-        ]
-        row["stored_steps"] = len(stored)
-        row["stored_valid"] = "yes" if valid else f"no, it stops before step {len(states)}"
-        row["steps_not_needed"] = " ".join(spare)
-        failed = downward(folder, "--search-time-limit", str(seconds), "--alias", "lama-first", "output.sas")
-        plan = Path(folder) / "sas_plan"
-        text = plan.read_text() if plan.exists() else None
-        row["solved"] = "yes" if text else failed
-        if text:
-            found = list(actions_of(text))
-            row |= {"solution_steps": len(found), "solution_valid": "yes" if task.reaches(found) else "no"}
-        return row, text
+    inputs = [problem.with_name("domain.pddl").resolve(), problem.resolve()]
+    failed = limits.downward(
+        folder, "--translate", *limits.of("translate"), *inputs, "--translate-options", *WITHOUT_INVARIANTS
+    )
+    row["grounded"] = failed or "yes"
+    if failed:
+        return row
+    task = SasTask(Path(folder) / "output.sas")
+    stored = list(actions_of(problem.with_suffix(".plan").read_text()))
+    states = task.states(stored)
+    valid = len(states) == len(stored) + 1 and holds(task.goal, states[-1])
+    spare = [
+        f"{left_out}:{kind_of(stored, left_out)}"
+        for left_out in range(len(stored) if valid else 0)
+        if task.reaches(stored[left_out + 1 :], states[left_out])
+    ]
+    row["stored_steps"] = len(stored)
+    row["stored_valid"] = "yes" if valid else f"no, it stops before step {len(states)}"
+    row["steps_not_needed"] = " ".join(spare)
+    failed = limits.downward(folder, *limits.of("search"), "--alias", "lama-first", "output.sas")
+    plan = Path(folder) / "sas_plan"
+    row["solved"] = "yes" if plan.exists() else failed
+    if plan.exists():
+        found = list(actions_of(plan.read_text()))
+        row |= {"solution_steps": len(found), "solution_valid": "yes" if task.reaches(found) else "no"}
+    return row
 
 
-def accepted_by_unified_planning(problem, text):
-    """Whether its simulator reaches the goal with a plan."""
+def accepted_by_unified_planning(problem, plan):
+    """Whether its simulator reaches the goal with the plan in a file."""
     reader = PDDLReader()
     parsed = reader.parse_problem(str(problem.with_name("domain.pddl")), str(problem))
     simulator = UPSequentialSimulator(parsed, error_on_failed_checks=False)
     state = simulator.get_initial_state()
-    for action in reader.parse_plan_string(parsed, text).actions:
+    for action in reader.parse_plan_string(parsed, plan.read_text()).actions:
         state = simulator.apply(state, action.action, action.actual_parameters)
         if state is None:
             return False
     return simulator.is_goal(state)
 
 
-def judge(problem, seconds, by_unified_planning):
-    row, found = judged_by_downward(problem, seconds)
-    if by_unified_planning:
-        plans = {"stored": problem.with_suffix(".plan").read_text(), "found": found}
-        refused = [name for name, text in plans.items() if text and not accepted_by_unified_planning(problem, text)]
-        row["unified_planning"] = "refuses " + " and ".join(refused) if refused else "yes"
+def judge(problem, limits, by_unified_planning):
+    with tempfile.TemporaryDirectory() as folder:
+        row = judged_by_downward(problem, limits, folder)
+        if by_unified_planning:
+            plans = {"stored": problem.with_suffix(".plan"), "found": Path(folder) / "sas_plan"}
+            said = {name: limits.act_out(problem, plan) for name, plan in plans.items() if plan.exists()}
+            others = [f"{name}: {verdict}" for name, verdict in said.items() if verdict != "yes"]
+            row["unified_planning"] = ", ".join(others) or "yes"
     return row
 
 
@@ -128,11 +163,16 @@ def read_rows(out):
 
 
 def main():
+    if sys.argv[1:2] == ["--act"]:  # what Limits.act_out starts
+        problem, plan = map(Path, sys.argv[2:])
+        print("yes" if accepted_by_unified_planning(problem, plan) else "no")
+        return
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("folder", type=Path, help="what `unietp export --format pddl` wrote")
     options.add_argument("out", type=Path, help="a CSV file to write, or to go on with")
     options.add_argument("--acted", type=int, default=40, metavar="N", help="unified-planning acts out the plans of each N-th")
-    options.add_argument("--seconds", type=int, default=60, help="of the processor, for grounding and for searching")
+    options.add_argument("--seconds", type=int, default=300, help="of the processor, for grounding, searching and acting out each")
+    options.add_argument("--memory", type=int, default=2048, metavar="MIB", help="likewise")
     options.add_argument("--jobs", type=int, default=os.cpu_count(), help="problems at once (default: one for each processor)")
     options = options.parse_args()
     problems = [path for path in options.folder.glob("*/*.pddl") if path.stem != "domain"]
@@ -143,10 +183,11 @@ def main():
         if not done:
             rows.writeheader()
         left = [(problem, number % options.acted == 0) for number, problem in enumerate(problems) if problem.stem not in done]
+        limits = Limits(options.seconds, options.memory)
         with ThreadPoolExecutor(options.jobs) as jobs:
-            judged = jobs.map(lambda one: judge(one[0], options.seconds, one[1]), left)
+            judged = as_completed([jobs.submit(judge, problem, limits, acted) for problem, acted in left])
             for number, row in enumerate(judged, len(problems) - len(left) + 1):
-                rows.writerow(row)
+                rows.writerow(row.result())
                 file.flush()
                 print(f"\r{number} of {len(problems)}", end="", file=sys.stderr, flush=True)
     print(file=sys.stderr)

@@ -29,5 +29,15 @@ TEST(DatasetCard, TellsWhereTheCandidatesWent) {
   EXPECT_THAT(card, Not(HasSubstr("| expert |")));
 }
 
+TEST(DatasetCard, TellsTheShareOfEachFormOfASimulatorThatHasTasks) {
+  Manifest manifest;
+  manifest.counts.tasks = 11;
+  manifest.counts.by_simulator = {{"ai2thor", 8}, {"virtualhome", 3}};
+  manifest.counts.by_form = {{"virtualhome", 3}, {"virtualhome-unity", 2}};
+  EXPECT_THAT(dataset_card(manifest),
+              HasSubstr("|---|---|---|---|\n| ai2thor | 0 | 8 | 0.0 % |\n| virtualhome | 3 | 3 | 100.0 % |\n"
+                        "| virtualhome-unity | 2 | 3 | 66.7 % |\n\n"));
+}
+
 }  // namespace
 }  // namespace unietp

@@ -42,6 +42,9 @@ TEST(Lines, ATaskFollowsItsSchema) {
   task.purpose = {"preparing", {"refrigerator is closed"}};
   EXPECT_EQ(broken(line_of(task), "task.schema.json"), "");
   EXPECT_EQ(Json::parse(line_of(task))["purpose"]["because"], Json::array({"refrigerator is closed"}));
+  task.forms = {"virtualhome", "virtualhome-unity"};
+  EXPECT_EQ(broken(line_of(task), "task.schema.json"), "");
+  EXPECT_EQ(Json::parse(line_of(task))["forms"], Json::array({"virtualhome", "virtualhome-unity"}));
   task.split = "";
   EXPECT_NE(broken(line_of(task), "task.schema.json"), "");
 }
@@ -93,6 +96,7 @@ TEST(Lines, AManifestFollowsItsSchema) {
   manifest.counts.by_simulator = {{"ai2thor", 2}};
   manifest.counts.by_template = {{"open-one", 2}};
   manifest.counts.by_sense = {{"tolerable", 1}, {"usual", 1}};
+  manifest.counts.by_form = {{"ai2thor", 1}};
   manifest.counts.not_usual = {{"open-one", 1}};
   manifest.counts.rejections = {{"expert", {{"no-plan", 1}}}};
   manifest.counts.balance = {{Dimension::Template, 1, 1, 0}};

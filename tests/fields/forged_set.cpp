@@ -29,7 +29,7 @@ DataFolders committed_folders() {
 /// All that `validate` looks at. Homes are made once, as most forgeries are not of them.
 ValidationOptions options_of_validation(ProofMemory& memory) {
   const auto folders = committed_folders();
-  auto options = full_validation(library(), folders.licences(), folders.runs());
+  auto options = full_validation(library(), folders);
   EXPECT_TRUE(options) << format(options.error());
   options->memory = &memory;
   options->make_home = [make = options->make_home, homes = std::make_shared<LazyValues<Result<Scene>>>()](

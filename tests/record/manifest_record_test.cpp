@@ -20,7 +20,7 @@ Json sound() {
       "modes":["M1","M3"],"phrasings":"training", "english": "us","sense":"tolerable","attempts":40,"block":256,"homes":"drawn","rooms":5,"objects":9},
     "counts":{"tasks":3,"candidates":5,"by_split":{"atomic":3},"by_simulator":{"habitat":3},
       "by_template":[{"template":"open-one","tasks":3}],
-      "by_sense":{"tolerable":1,"usual":2},"not_usual":[{"template":"open-one","tasks":1}],
+      "by_sense":{"tolerable":1,"usual":2},"by_form":{"habitat":2},"not_usual":[{"template":"open-one","tasks":1}],
       "balance":[{"dimension":"template","values":1,"effective":1,"variation":0}],
       "rejections":{"expert":{"no-plan":2}}},
     "files":[{"path":"a.txt","bytes":5,"sha256":"abc"}],"sources":[]})");
@@ -36,6 +36,7 @@ TEST(ReadManifest, TakesASoundOne) {
   EXPECT_EQ(manifest->phrasings, "training");
   EXPECT_EQ(manifest->run.sense, "tolerable");
   EXPECT_THAT(manifest->by_sense, ElementsAre(Pair("tolerable", 1), Pair("usual", 2)));
+  EXPECT_THAT(manifest->by_form, ElementsAre(Pair("habitat", 2)));
   EXPECT_THAT(manifest->not_usual, ElementsAre(Pair("open-one", 1)));
   EXPECT_THAT(manifest->rejections, ElementsAre(Pair("expert", ElementsAre(Pair("no-plan", 2)))));
   EXPECT_EQ(manifest->files.at("a.txt").bytes, 5);
@@ -43,7 +44,7 @@ TEST(ReadManifest, TakesASoundOne) {
 
 TEST(ReadManifest, RefusesMissingAndUnknownFieldsAndAnotherSeedThanTheConfigurations) {
   for (const auto* pointer : {"/configuration/modes", "/configuration/sense", "/counts/by_template", "/counts/by_sense",
-                              "/counts/not_usual", "/files", "/knowledge_digest"}) {
+                              "/counts/by_form", "/counts/not_usual", "/files", "/knowledge_digest"}) {
     Json json = sound();
     const Json::json_pointer place(pointer);
     json[place.parent_pointer()].erase(place.back());

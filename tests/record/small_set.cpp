@@ -12,7 +12,7 @@ std::string task_line(const std::string& id, std::size_t padding) {
   return R"text({"format":"unietp-task/1","id":")text" + id +
          R"text(","template":"open-one","split":"atomic","simulator":"ai2thor","scene":"s","layout":"h","bindings":{"A":"Fridge"},"refinement":"","phenomena":[],"goal":{"text":"(at-end (exists (?a - Fridge) (open ?a)))","tree":{"op":"at-end","parts":[{"op":"exists","variable":"a","domain":{"categories":[{"category":"Fridge"}]},"body":{"op":"atom","predicate":"open","terms":[{"variable":"a"}]}}]}},"start":{"constraints":[],"edits":["e)text" +
          std::string(padding, 'x') +
-         R"text("],"changes":{}},"instruction":{"text":"Open a fridge.","writer":"grammar","style":"direct","checks":[]},"sense":{"grade":"usual","parts":[{"part":"open fridge","grade":"usual","why":"written"}]},"expert":{"M1":{"steps":1,"failures":0}},"seed":{"run":1,"slot":0,"attempt":0}})text";
+         R"text("],"changes":{}},"instruction":{"text":"Open a fridge.","writer":"grammar","style":"direct","checks":[]},"sense":{"grade":"usual","parts":[{"part":"open fridge","grade":"usual","why":"written"}]},"forms":[],"expert":{"M1":{"steps":1,"failures":0}},"seed":{"run":1,"slot":0,"attempt":0}})text";
 }
 
 std::string shown_line(const std::string& id) {

@@ -23,6 +23,7 @@ Json sound_task() {
     "instruction":{"text":"Open a fridge.","writer":"grammar","style":"direct","checks":["parses-back"]},
     "purpose":{"name":"preparing","because":["refrigerator is closed"]},
     "sense":{"grade":"tolerable","parts":[{"part":"open fridge","grade":"tolerable","why":"written"}]},
+    "forms":["ai2thor"],
     "expert":{"M1":{"steps":3,"failures":0},"M3":{"steps":30,"failures":2,"shortest_steps":9}},"seed":{"run":1,"slot":0,"attempt":0}})text");
 }
 
@@ -48,6 +49,7 @@ TEST(ReadTask, TakesASoundLine) {
   EXPECT_EQ(task->sense[0].part, "open fridge");
   EXPECT_EQ(task->sense[0].grade, "tolerable");
   EXPECT_EQ(task->sense[0].why, "written");
+  EXPECT_EQ(task->forms, std::vector<std::string>{"ai2thor"});
   ASSERT_EQ(task->expert.size(), 2U);
   EXPECT_EQ(task->expert[0].steps, 3);
   EXPECT_EQ(task->expert[1].mode, Mode::M3);

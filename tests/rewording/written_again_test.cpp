@@ -32,6 +32,7 @@ TaskEntry some_task() {
   task.edits = {"added Mug mug_4", "\"quoted\" \xC3\xA9"};
   task.changes = delta_to_json(some_changes());
   task.instruction = instruction("Open a fridge.", "the model gave no answer");
+  task.forms = {"ai2thor"};
   task.expert = {{Mode::M1, 2, 1}, {Mode::M3, 1, 0, 2}};
   task.run_seed = 9007199254740991;
   task.slot = 3;
@@ -95,6 +96,7 @@ TEST(WrittenAgain, AManifestStaysAsItWas) {
   manifest.counts.by_simulator = {{"ai2thor", 2}};
   manifest.counts.by_template = {{"open-one", 2}};
   manifest.counts.by_sense = {{"tolerable", 1}, {"usual", 1}};
+  manifest.counts.by_form = {{"ai2thor", 1}};
   manifest.counts.not_usual = {{"open-one", 1}};
   manifest.counts.rejections = {{"expert", {{"no-plan", 1}}}};
   manifest.counts.balance = {{Dimension::Receptacle, 3, 2.123456789012345, 0.1}};

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "dataset/task.h"
+
+namespace unietp {
+
+/// What a task is in its simulator itself.
+struct InSimulator {
+  std::vector<std::string> forms;  // that express it (scene/simulator_forms.h)
+  std::string refused;             // why it cannot be done there; "" when it can
+};
+/// Tells of a task, and depends on it alone. Several threads may call it. A run is given one because exports, which
+/// know the simulators' forms, are above it.
+using TellInSimulator = std::function<InSimulator(const Task& task)>;
+
+}  // namespace unietp
