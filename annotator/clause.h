@@ -126,7 +126,7 @@ struct Requirement {
   };
   Kind kind = Kind::Final;
   std::vector<Clause> clauses;
-  bool inverted = false;            // Then, ThenKept: clause 1 stands first, "before you …, …"
+  bool inverted = false;            // Then, ThenKept: clause 1 stands first, "…, but … first"
   std::vector<Proposition> stated;  // Stated: one
 };
 

@@ -270,6 +270,11 @@ std::optional<std::string> ClauseWriter::worded(const Clause& clause) {
       if (naming_.everyday() && naming_.names_by_use(clause.subjects[0].noun) &&
           clause.complements[0].predicate == P::Held)
         patterns = {"grab me {s}"};
+      // One fills a glass with water, and pours wine.
+      const Complement& said = clause.complements[0];
+      if (naming_.everyday() && said.predicate == P::Filled && !said.negated && said.symbol == "wine" &&
+          naming_.says_one_thing())
+        patterns = {"pour {m} into {s}"};
       if (naming_.everyday() && naming_.has_lid(clause.subjects[0].noun))
         for (std::string& pattern : patterns) pattern = replace_all(pattern, "close {s}", "put the lid on {s}");
       // What one holds is washed.
@@ -366,7 +371,8 @@ std::optional<std::string> ClauseWriter::taken_first(const Clause& clause) {
   if (there && !again && is_place && rng_.chance(0.5)) {
     const auto to = naming_.phrase(goes.object[0], place);
     if (!to || to->text == "it") return std::nullopt;
-    return "move " + subject->text + " from " + *there + " to " + to->text;
+    const std::string into = goes.predicate == Predicate::Inside ? " into " : " to ";
+    return "move " + subject->text + " from " + *there + into + to->text;
   }
   const Text where = again ? again : naming_.complement(goes, place);
   const std::string put = naming_.everyday() ? " and put " : pick({" and put ", " and place "});

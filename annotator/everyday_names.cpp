@@ -11,7 +11,7 @@ struct EverydayName {
 };
 
 /// In order of name.
-constexpr std::array<EverydayName, 442> kEverydayNames{{
+constexpr std::array<EverydayName, 444> kEverydayNames{{
     {"Virginia ham", "ham", "ham"},
     {"agave", "agave plant", "agave plant"},
     {"alcohol", "bottle of liquor", "bottle of spirits"},
@@ -77,6 +77,7 @@ constexpr std::array<EverydayName, 442> kEverydayNames{{
     {"box of dental floss", "box of floss", "box of dental floss"},
     {"box of ice cream", "carton of ice cream", "carton of ice cream"},
     {"box of lasagna", "box of lasagna noodles", "box of lasagne sheets"},
+    {"box of milk", "half-gallon carton of milk", "four-pint carton of milk"},
     {"box of rum", "case of rum", "case of rum"},
     {"box of sake", "case of sake", "case of sake"},
     {"box of sanitary napkins", "box of pads", "box of sanitary towels"},
@@ -122,6 +123,7 @@ constexpr std::array<EverydayName, 442> kEverydayNames{{
     {"clipper", "pair of nail clippers", "pair of nail clippers"},
     {"closet", "closet", "wardrobe"},
     {"closet drawer", "closet drawer", "wardrobe drawer"},
+    {"cloth", "rag", "cloth"},
     {"clothes dryer", "dryer", "tumble dryer"},
     {"clothes hanger", "hanger", "coat hanger"},
     {"clove jar", "jar of whole cloves", "jar of whole cloves"},
@@ -131,7 +133,7 @@ constexpr std::array<EverydayName, 442> kEverydayNames{{
     {"coffee bean jar", "jar of coffee beans", "jar of coffee beans"},
     {"cola bottle", "bottle of cola", "bottle of cola"},
     {"computer monitor", "monitor", "monitor"},
-    {"computer mouse", "mouse", "mouse"},
+    {"computer mouse", "computer mouse", "mouse"},
     {"computer screen", "monitor", "monitor"},
     {"condiment bottle", "bottle of sauce", "bottle of sauce"},
     {"condiment shaker", "spice shaker", "spice shaker"},

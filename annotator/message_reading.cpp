@@ -154,12 +154,11 @@ class TextReader {
       say(Kind::Sometime, {clauses_.command()});
       return end_sentence();
     }
-    for (const std::string_view need :
-         {"i'd like", "i would like", "i could use", "i want", "someone wants", "someone would like", "somebody needs"})
-      if (words_.accept(need)) {
-        say(Kind::Need, {needed()});
-        return end_sentence();
-      }
+    if (words_.accept_one({"i'd like", "i would like", "i could use", "i want", "someone wants", "someone would like",
+                           "somebody needs"}) >= 0) {
+      say(Kind::Need, {needed()});
+      return end_sentence();
+    }
     if (words_.accept_one(
             {"once it's in ,", "once they're in ,", "once it's there ,", "once they're there ,", "then"}) >= 0) {
       if (message_.empty() || message_.back().kind != Kind::Final || message_.back().clauses[0].complements.empty())
@@ -169,16 +168,15 @@ class TextReader {
       say(Kind::Then, {std::move(sooner), clauses_.command()});
       return end_sentence();
     }
-    for (const std::string_view once : {"once you've", "once you have", "as soon as you've", "as soon as you have"})
-      if (words_.accept(once)) {
-        words_.set_comma_lists(false);
-        Clause sooner = clauses_.command();
-        words_.set_comma_lists(true);
-        words_.expect(",");
-        words_.accept("please");
-        say(Kind::Then, {std::move(sooner), clauses_.command()});
-        return end_sentence();
-      }
+    if (words_.accept_one({"once you've", "once you have", "as soon as you've", "as soon as you have"}) >= 0) {
+      words_.set_comma_lists(false);
+      Clause sooner = clauses_.command();
+      words_.set_comma_lists(true);
+      words_.expect(",");
+      words_.accept("please");
+      say(Kind::Then, {std::move(sooner), clauses_.command()});
+      return end_sentence();
+    }
     if (words_.accept("before you")) {
       words_.set_comma_lists(false);
       Clause later = clauses_.command();
@@ -280,8 +278,7 @@ class TextReader {
     Clause before = clauses_.command();
     then();
     Clause after = next(before);
-    const bool both = kept();
-    say(both ? Kind::ThenKept : Kind::Then, {std::move(before), std::move(after)});
+    say(kept() ? Kind::ThenKept : Kind::Then, {std::move(before), std::move(after)});
   }
 
   bool kept() {
@@ -336,6 +333,7 @@ class TextReader {
         return;
       }
       if (words_.accept_one({", and only then", "first , and then"}) >= 0) return only_then(std::move(clause));
+      if (words_.accept(", but")) return but_first(std::move(clause));
       say(Kind::Final, {std::move(clause)});
       if (words_.accept("again")) undo();
     } while (!words_.failed() && goes_on());
@@ -370,6 +368,14 @@ class TextReader {
     for (Complement& there : counted.complements) there.object = {place};
     say(Kind::Final, {std::move(put)});
     say(Kind::Final, {std::move(counted)});
+  }
+
+  /// "Open the oven, but close the dishwasher first."
+  void but_first(Clause later) {
+    const bool ahead = words_.accept("first");
+    say(Kind::Then, {std::move(later), clauses_.command()});
+    message_.back().inverted = true;
+    if (!ahead) words_.expect("first");
   }
 
   /// "…, and only then all the mugs": in the same place.

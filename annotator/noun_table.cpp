@@ -141,7 +141,11 @@ std::string with_tops(std::string text, const NounTable& nouns) {
     if (!is(i, "on") || is(i - 1, "turn") || is(i - 1, "switch") || is(i - 1, "lid")) continue;
     std::size_t at = i + 1;
     while (is(at, "the") || is(at, "a") || is(at, "one") || is(at, "of") || is(at, "same")) ++at;
-    const std::size_t length = nouns.noun_at(tokens, at).length;
+    std::size_t length = nouns.noun_at(tokens, at).length;
+    if (const std::size_t room = nouns.room_at(tokens, at).length; length == 0 && room > 0) {  // "the kitchen cupboard"
+      const std::size_t named = nouns.noun_at(tokens, at + room).length;
+      length = named == 0 ? 0 : room + named;
+    }
     const bool high = length > 0 && std::any_of(kHeads.begin(), kHeads.end(),
                                                 [&](const char* head) { return is(at + length - 1, head); });
     if (high && at > i + 1) text.insert(static_cast<std::size_t>(tokens[i].column) + 1, " top of");

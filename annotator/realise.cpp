@@ -287,10 +287,13 @@ class Realiser {
             first.find(" and put it in ") != first.npos);
   }
 
-  /// "First wash a pan, then heat it."
+  /// "First wash a pan, then heat it."; inverted, "Open the oven, but close the dishwasher first."
   Text in_order(const std::string& first, const std::string& second, bool inverted) {
-    if (inverted && (first.find(" a ") != first.npos || first.find(" one of ") != first.npos)) return std::nullopt;
-    if (inverted) return framed("before you ", Text(first + ", " + second), "");
+    if (inverted) {  // "before you open it, …" does not ask to open it
+      const bool long_one = second.find(" and ") != second.npos || second.find(", ") != second.npos;
+      if (long_one || rng_.chance(0.4)) return framed("", Text(first + ", but first " + second), "");
+      return framed("", Text(first + ", but " + second + " first"), "");
+    }
     if (first.find(" and put ") != first.npos) return sentence(first, '.') + " " + sentence("then " + second, '.');
     if (rng_.chance(0.2)) return framed("first ", Text(first + ", then " + second), "");
     return framed("", Text(first + (rng_.chance(0.6) ? ", then " : " and then ") + second), "");

@@ -158,6 +158,7 @@ constexpr std::array kMarks = {
     Mark{Style::SubordinateClause, "once"},
     Mark{Style::SubordinateClause, "as soon as"},
     Mark{Style::InvertedOrder, "before you"},
+    Mark{Style::InvertedOrder, ", but"},
     Mark{Style::Coreference, "where"},
     Mark{Style::Coreference, "on which"},
     Mark{Style::ImplicitNeed, "i'd like"},

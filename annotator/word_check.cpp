@@ -309,7 +309,7 @@ class Check {
     if (goal_.sometime && !any_word(words_, "some. sometime once. again. then. ever. point. moment. after. first."))
       lacks("that it happens at some point");
     const bool ordered = says(words_, "until") || says(words_, "before you") ||
-                         (any_word(words_, "first.") && any_word(words_, "then. after."));
+                         (any_word(words_, "first.") && any_word(words_, "then. after. but."));
     if (ordered && !goal_.order && !goal_.sometime) exceeds("an order");
     if (!goal_.throughout &&
         (says(words_, "the whole time") || any_word(words_, "always. throughout.") || says_never()))

@@ -45,7 +45,7 @@ constexpr std::array kStyles = {
     StyleWords{Style::Negation, "say a part by what must not be"},
     StyleWords{Style::SubordinateClause,
                "say in a subordinate clause what is done first ('once you've put a mug in it, …')"},
-    StyleWords{Style::InvertedOrder, "say what comes later first ('before you …')"},
+    StyleWords{Style::InvertedOrder, "say what comes later first ('open the oven, but close the dishwasher first')"},
     StyleWords{Style::Coreference, "name a place by what is kept there ('where a plate is kept')"},
     StyleWords{Style::ImplicitNeed, "say what you would like ('I'd like a hot potato'), then where to put it"},
     StyleWords{Style::VagueQuantity, "say 'a couple of' for at least two, 'a few' for at least three"},

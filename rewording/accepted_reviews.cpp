@@ -3,7 +3,6 @@
 #include <functional>
 #include <set>
 
-#include "annotator/home_facts.h"
 #include "core/text.h"
 #include "dataset/candidate.h"
 #include "rewording/home_texts.h"
@@ -78,8 +77,8 @@ class Judge {
     HomeCache homes(context_.folder);
     const auto scene = read_start(homes, task);
     if (!scene) return scene.error();
-    const auto checked =
-        check_person_text(text, task, context_.resources.backend(task.specification.simulator), categories_in(*scene));
+    const Backend& backend = context_.resources.backend(task.specification.simulator);
+    const auto checked = check_person_text(text, task, backend, context_.english, *scene);
     if (!checked.faults.empty() && !context_.accept_unchecked) {
       refuse("\"" + text + "\": " + join(checked.faults, "; "));
       return std::optional<Instruction>();

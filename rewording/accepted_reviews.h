@@ -31,6 +31,7 @@ struct ApplyReport {
 struct ReviewContext {
   const std::filesystem::path& folder;
   const Resources& resources;
+  English english = English::Us;                                 // of the data set
   bool accept_unchecked = false;                                 // take edits whose text does not pass the checks, too
   const std::map<std::string, ReviewMarkRecord>& judged_before;  // earlier verdicts, by task
 };

@@ -33,7 +33,7 @@ English english_of(const AnnotateOptions& options) { return options.english.valu
 
 /// The options with the English of the data set where they have none.
 AnnotateOptions with_english(AnnotateOptions options, const ManifestRecord& manifest) {
-  if (!options.english) options.english = manifest.english == name_of(English::Gb) ? English::Gb : English::Us;
+  if (!options.english) options.english = recorded_english(manifest.english);
   return options;
 }
 

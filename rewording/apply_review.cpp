@@ -166,7 +166,8 @@ Result<ApplyReport> apply_review(const fs::path& folder, const fs::path& out, co
   if (!traits) return traits.error();
 
   ApplyReport report;
-  const auto rulings = accept_reviews(reviews, {folder, resources, options.accept_unchecked, *marks}, report);
+  const auto rulings = accept_reviews(
+      reviews, {folder, resources, recorded_english(recorded->english), options.accept_unchecked, *marks}, report);
   if (!rulings) return rulings.error();
   for (const auto& [task, ruling] : *rulings) (*marks)[task] = mark_of(*ruling.review);
   auto writer = DatasetWriter::begin(copy->folder());

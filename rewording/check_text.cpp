@@ -11,6 +11,7 @@
 #include "core/text.h"
 #include "dataset/configuration.h"
 #include "record/text_writer.h"
+#include "rewording/worded_task.h"
 
 namespace unietp {
 namespace {
@@ -34,7 +35,7 @@ std::vector<Problem> check_text(const StatedGoal& stated, const Backend& backend
   specification.goal = stated.goal;
   specification.init = stated.constraints;
   specification.style = *style;
-  const NounTable& all = backend.nouns_in(stated.english == name_of(English::Gb) ? English::Gb : English::Us);
+  const NounTable& all = backend.nouns_in(recorded_english(stated.english));
   const auto narrowed = narrowed_for(specification, backend.knowledge, all);
   const NounTable& nouns = narrowed ? *narrowed : all;
 

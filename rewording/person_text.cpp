@@ -1,6 +1,7 @@
 #include "rewording/person_text.h"
 
 #include "annotator/function_phrases.h"
+#include "annotator/home_facts.h"
 #include "annotator/phenomena.h"
 #include "annotator/style.h"
 #include "annotator/word_check.h"
@@ -19,11 +20,12 @@ bool by_person(std::string_view writer) {
   return known == TextWriter::Person || known == TextWriter::UncheckedPerson;
 }
 
-PersonText check_person_text(const std::string& text, const WordedTask& task, const Backend& backend,
-                             const std::vector<std::string>& around) {
+PersonText check_person_text(const std::string& text, const WordedTask& task, const Backend& backend, English english,
+                             const Scene& home) {
   const Specification& specification = task.specification;
-  const auto narrowed = narrowed_for(specification, backend.knowledge, backend.nouns);
-  const NounTable& nouns = narrowed ? *narrowed : backend.nouns;
+  const NounTable& all = backend.nouns_in(english);
+  const auto narrowed = narrowed_for(specification, backend.knowledge, all);
+  const NounTable& nouns = narrowed ? *narrowed : all;
   PersonText checked{
       {text, kPerson, specification.style, {}, "", phenomena_of(text, specification.style, specification.goal, nouns)},
       {}};
@@ -33,8 +35,8 @@ PersonText check_person_text(const std::string& text, const WordedTask& task, co
   };
   const auto form = form_faults(text, specification);
   check("form", form);
-  if (form.empty()) check("parses-back", check_instruction(text, specification, backend.knowledge, backend.nouns));
-  auto style = style_fault(text, specification.style, specification.goal, around, nouns);
+  if (form.empty()) check("parses-back", check_instruction(text, specification, backend.knowledge, all, &home));
+  auto style = style_fault(text, specification.style, specification.goal, categories_in(home), nouns);
   check("style", style.empty() ? std::vector<std::string>() : std::vector<std::string>{std::move(style)});
   if (!checked.faults.empty()) checked.instruction.writer = kUnchecked;
   return checked;

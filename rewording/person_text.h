@@ -8,6 +8,7 @@
 #include "core/result.h"
 #include "resources/resources.h"
 #include "rewording/worded_task.h"
+#include "scene/scene.h"
 
 namespace unietp {
 
@@ -20,8 +21,8 @@ struct PersonText {
   std::vector<std::string> faults;  // empty when it passed all: form, read back as the goal, style
 };
 
-/// `around`: the categories of the start scene. Pure.
-PersonText check_person_text(const std::string& text, const WordedTask& task, const Backend& backend,
-                             const std::vector<std::string>& around);
+/// `english`: of the data set; `home`: the start scene. Both are what the validator reads the text with. Pure.
+PersonText check_person_text(const std::string& text, const WordedTask& task, const Backend& backend, English english,
+                             const Scene& home);
 
 }  // namespace unietp

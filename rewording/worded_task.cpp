@@ -1,5 +1,6 @@
 #include "rewording/worded_task.h"
 
+#include "dataset/configuration.h"
 #include "record/dataset_reader.h"
 
 namespace unietp {
@@ -35,6 +36,8 @@ Result<WordedTask> worded_task(const std::filesystem::path& folder, int line, Ta
   task.record = std::move(record);
   return task;
 }
+
+English recorded_english(std::string_view name) { return name == name_of(English::Gb) ? English::Gb : English::Us; }
 
 DatasetParts all_lines(const std::filesystem::path& folder) {
   std::error_code code;

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <string_view>
 
 #include "annotator/instruction.h"
 #include "core/result.h"
@@ -34,6 +35,9 @@ Result<Done> for_each_worded_task(const std::filesystem::path& folder, const Dat
 /// together is known in a third of the time. Errors: the same, but for what shows only in parsing a demonstration.
 Result<Done> for_each_matched_task(const std::filesystem::path& folder,
                                    const std::function<Result<Done>(WordedTask&&)>& use);
+
+/// The English that files record as "us" or "gb"; American for anything else.
+English recorded_english(std::string_view name);
 
 /// The instruction that the task has.
 Instruction instruction_of(const WordedTask& task);

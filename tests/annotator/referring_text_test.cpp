@@ -129,6 +129,29 @@ TEST(Styles, EachKeepsItsPromise) {
        {"bowl"}});
 }
 
+TEST(Styles, OfInvertedOrderAsksForBoth) {
+  const Specification task = asking(
+      "(exists (?a - Fridge) (exists (?b - Lamp) (and (before (closed ?a) (power_on ?b)) "
+      "(at-end (and (closed ?a) (power_on ?b))))))",
+      "inverted-order");
+  const Knowledge knowledge = small_knowledge();
+  std::set<std::string> openings;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const auto written = write_instruction(task, knowledge, Rng(seed));
+    ASSERT_TRUE(written) << format(written.error());
+    EXPECT_EQ(written->style, Style::InvertedOrder) << written->text;
+    const std::size_t but = written->text.find(", but ");
+    ASSERT_NE(but, std::string::npos) << written->text;
+    EXPECT_LT(written->text.find("on"), but) << written->text;
+    openings.insert(written->text.substr(but, std::string(", but first").size()));
+  }
+  EXPECT_GT(openings.size(), 1U);  // "…, but close it first" and "…, but first close it"
+  EXPECT_TRUE(check_instruction("Turn on a lamp, but close a fridge first.", task, knowledge).empty());
+  EXPECT_TRUE(check_instruction("Before you turn on a lamp, close a fridge.", task, knowledge).empty());
+  EXPECT_FALSE(check_instruction("Close a fridge, but turn on a lamp first.", task, knowledge).empty());
+  EXPECT_FALSE(check_instruction("Turn on a lamp, but close a fridge.", task, knowledge).empty());
+}
+
 TEST(Styles, AreNotClaimedWhereAGoalHasNothingToSayThatWay) {
   for (const char* style : {"inverted-order", "subordinate-clause", "implicit-need", "vague-quantity", "coreference"}) {
     const auto written =
