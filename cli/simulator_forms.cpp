@@ -45,7 +45,7 @@ FinishedTask finished(const Task& task) {
   shown.mode = name_of(Mode::M1);
   for (const DemonstrationStep& step : task.demonstration.steps)
     shown.steps.push_back({step.command, step.outcome.success, std::string(name_of(step.outcome.failure)),
-                           step.outcome.feedback, step.visible, step.changes, step.search, step.tidying});
+                           step.outcome.feedback, step.visible, step.changes, step.moments, step.search, step.tidying});
   made.start = in_telling_order(task.episode.start);
   return made;
 }

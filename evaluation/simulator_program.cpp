@@ -170,7 +170,8 @@ Result<SimulatorAnswer> read_simulator_answer(std::string_view line, int id, con
       own.finish();
       then = apply(std::move(then), answer.moments.back());
     }
-    if (count > 0 && !difference(then, apply(now, answer.changes)).empty())
+    if (count == 1 && !reader.error()) reader.fail(*moments, "expected two or more moments");
+    if (count > 1 && !difference(then, apply(now, answer.changes)).empty())
       reader.fail(*moments, "expected moments that lead to what changed as a whole");
   });
   if (!read) return read.error();

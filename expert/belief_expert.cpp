@@ -246,10 +246,7 @@ class BeliefExpert {
       if (!act_as_planned(step)) give_up("to see more: " + trouble_.text, trouble_.failure);
       return !gave_up_;
     }
-    if (!act(step)) {
-      give_up("in search: " + trouble_.text, trouble_.failure);
-      return false;
-    }
+    if (!act(step)) return give_up("in search: " + trouble_.text, trouble_.failure), false;
     note_place(step);
     return true;
   }

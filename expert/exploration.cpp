@@ -72,8 +72,8 @@ class Search {
 
   /// `thorough`: also from small things nearby, where long steps and wide turns lead to few places.
   std::optional<std::vector<Action>> run(bool thorough) {
-    if (thorough) begin_nearby();
     add({world_.agent(), 0, 0, {}});
+    if (thorough) begin_nearby();
     if (standing_ != Viewpoint::Here) begin_elsewhere();
     while (const auto at = poses_.next()) {
       if (looks_left_ == 0) break;

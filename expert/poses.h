@@ -19,8 +19,8 @@ struct ReachedPose {
   Action by;
 };
 
-/// The poses of a search for a place to stand: cheapest first, with what is left to do at least, of equals the one
-/// found first. The first one that is added is where the body is.
+/// The poses of a search for a place to stand, in order of what it costs to come to them and, by an estimate, to go on
+/// from there; of equals the one found first. The first one that is added is where the body is.
 class Poses {
  public:
   using Key = std::array<long, 4>;  // poses of equal keys are the same

@@ -88,10 +88,11 @@ class TestWriter {
   const Knowledge& knowledge_;
 };
 
-EntityIndex entity_of(const std::string& id, const Trace& trace) {
-  std::size_t i = 0;
-  while (trace.entities[EntityIndex(i)].id != id) ++i;
-  return EntityIndex(i);
+std::optional<EntityIndex> entity_of(const std::string& id, const Trace& trace) {
+  for (std::size_t i = 0; i < trace.entities.size(); ++i) {
+    if (trace.entities[EntityIndex(i)].id == id) return EntityIndex(i);
+  }
+  return std::nullopt;
 }
 
 /// A copy of a piece that lies where it does.
@@ -154,7 +155,8 @@ std::vector<ThorPiece> thor_pieces(const FinishedTask& task, const ThorNames& na
       const bool is_new =
           find_node(task.start, node.id) == nullptr &&
           std::none_of(pieces.begin(), pieces.end(), [&](const ThorPiece& one) { return one.node.id == node.id; });
-      if (is_new && !node.slice_of.empty()) pieces.push_back({node, names.at(node.id), ""});
+      const auto name = names.find(node.id);
+      if (is_new && !node.slice_of.empty() && name != names.end()) pieces.push_back({node, name->second, ""});
     }
   }
   const auto add = [&](const Node& whole, const std::string& piece_category, const std::string& object) {
@@ -176,7 +178,8 @@ std::vector<ThorPiece> thor_pieces(const FinishedTask& task, const ThorNames& na
   for (const Node& node : task.start.nodes) {
     if (const auto cut = wholes.find(node.id); cut != wholes.end()) add(node, node.category, cut->second);
     const auto cuts = knowledge.effects_on(node.category, Treatment::Slices);
-    if (!cuts.empty()) add(node, cuts.front()->gives, names.at(node.id));
+    const auto name = names.find(node.id);
+    if (!cuts.empty() && name != names.end()) add(node, cuts.front()->gives, name->second);
   }
   return pieces;
 }
@@ -200,9 +203,10 @@ Result<ThorGoal> thor_goal(const FinishedTask& task, ThorNames names, const std:
   // AI2-THOR may cut fewer: of those that our scene does not have, the goal asks nothing unless they are there.
   Facts front = trace.states.front(), later = front;
   for (const ThorPiece& piece : pieces) {
-    const EntityIndex entity = entity_of(piece.node.id, trace);
-    if (!piece.beside.empty()) front.forget(entity);
-    later.set_exists(entity);
+    const auto entity = entity_of(piece.node.id, trace);
+    if (!entity) return thor_lacks(piece.node.id + " is in no moment of the demonstration");
+    if (!piece.beside.empty()) front.forget(*entity);
+    later.set_exists(*entity);
   }
   auto ltlf = ltlf_goal(goal, Trace{trace.entities, {std::move(front), std::move(later)}});
   if (!ltlf) return ltlf.error();

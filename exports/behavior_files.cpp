@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
 #include "exports/bddl.h"
@@ -44,11 +46,13 @@ Json task_json(const FinishedTask& task, const BddlProblem& problem, const Expor
                             {"bddl", problem.goal.literals.at(one.name)}});
   }
   const auto& steps = task.shown.at(Mode::M1).steps;
-  for (std::size_t i = 0; i < steps.size(); ++i) {
+  std::size_t moment = 0;
+  for (const StepRecord& step : steps) {
+    moment += std::max<std::size_t>(1, step.moments.size());
     Json arguments = Json::array();
-    for (const auto& argument : steps[i].command.args) arguments.push_back(argument.id);
+    for (const auto& argument : step.command.args) arguments.push_back(argument.id);
     plan.push_back(
-        {{"action", steps[i].command.action}, {"args", std::move(arguments)}, {"holds", problem.goal.holding[i + 1]}});
+        {{"action", step.command.action}, {"args", std::move(arguments)}, {"holds", problem.goal.holding[moment]}});
   }
   return {
       {"format", "unietp-behavior/1"},

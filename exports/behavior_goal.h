@@ -18,7 +18,7 @@ using BddlNames = std::map<std::string, std::string>;
 struct BehaviorGoal {
   LtlfGoal goal;                                  // grounded in the objects of the start and the halves that may come
   std::map<std::string, std::string> literals;    // the BDDL formula of each proposition, by its name
-  std::vector<std::vector<std::string>> holding;  // for the start and after each step, names of those that hold
+  std::vector<std::vector<std::string>> holding;  // at the start and at each moment since, names of those that hold
   std::string last;                               // what the last state must meet, in BDDL
   bool last_decides = true;                       // whether that is the whole goal
   std::set<std::string> objects;                  // ids of the things that it names, without halves

@@ -20,7 +20,7 @@ struct Halves {
 /// A demonstration as states in which each thing that can be cut has both its halves. Here a thing that is cut stays,
 /// as what remains of it, beside one new piece; in OmniGibson it is gone, and there are two halves.
 struct HalvedTrace {
-  Trace trace;                           // the start, and after each step
+  Trace trace;                           // the start, and each moment since
   std::map<std::string, Halves> halves;  // by the whole's id
 };
 

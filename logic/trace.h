@@ -119,7 +119,8 @@ class Facts {
   SharedValue<Owned> own_;
 };
 
-/// A finite sequence of states over one list of entities: the start state, then the state after each action.
+/// A finite sequence of states over one list of entities: the start state, then the state at each moment of each
+/// action.
 struct Trace {
   EntityList entities;        // all that exist at any position
   std::vector<Facts> states;  // never empty when a formula is read on it

@@ -102,7 +102,6 @@ class TaskProver {
     LinkTable links(start_, physics);
     found(prove_start(start_, physics, links, tools_.rest, reading_.where));
     prove_instruction();
-    if (in_m1 != shown.end()) prove_forms(in_m1->second);
     KnownStart known{.physics = std::move(physics)};
     if (start_.agent.held.empty()) known.links = std::move(links);  // what is held has others once it is in the hand
     const auto world = World::create(start_, *backend_->knowledge, *backend_->profile, std::move(known));
@@ -123,6 +122,7 @@ class TaskProver {
     for (const auto& [mode, demonstration] : shown) prove_demonstration(*world, mode, demonstration, traces);
     if (in_m1 != shown.end() && goal_) add_tempting(*world, shown, in_m1->second.tempting, traces);
     if (reading_.wordings) prove_wordings(*reading_.wordings, traces, in_m1 == shown.end() ? nullptr : &in_m1->second);
+    if (in_m1 != shown.end() && proof_.problems.empty()) prove_forms(in_m1->second);  // which read what is proven
     if (proof_.problems.empty()) compare_with_remade();
   }
 
@@ -132,7 +132,7 @@ class TaskProver {
     for (const Referents& one : referents_of(*goal_, start_, at_start, *backend_->profile)) {
       for (const std::string& id : one.beyond_wall)
         found(ProblemKind::NotNearest, reading_.where,
-              one.phrase + " means " + id + ", which on foot, within the room, is not clearly the nearest");
+              one.phrase + " means " + id + ", of which that is not clearly so on foot, within one room");
       for (const std::string& id : one.rivals)
         found(ProblemKind::NotNearest, reading_.where,
               one.phrase + " does not mean " + id + ", which is the nearest on foot");

@@ -79,10 +79,10 @@ class Walker {
     std::vector<std::pair<double, std::string>> ways;
     const Room* room = room_of(landmark);
     if (room == nullptr) return ways;
-    const RoomWays floor(grid_, reached_, *room);
+    const RoomWays floor(grid_, reached_, *room, place_of(landmark));
     for (const std::string& id : ids) {
       if (room_of(id) != room) continue;
-      if (const auto way = floor.meters(place_of(landmark), place_of(id))) ways.emplace_back(*way, id);
+      if (const auto way = floor.meters(place_of(id))) ways.emplace_back(*way, id);
     }
     std::sort(ways.begin(), ways.end());
     return ways;

@@ -2,25 +2,31 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <functional>
+#include <queue>
+#include <utility>
 
 #include "scene/geometry.h"
 
 namespace unietp {
-namespace {
 
-constexpr double kNone = std::numeric_limits<double>::infinity();
-
-}  // namespace
-
-RoomWays::RoomWays(const NavigationGrid& grid, const CellSet& reached, const Room& room)
-    : width_(grid.width()), height_(grid.height()) {
-  for (int y = 0; y < height_; ++y) {
-    for (int x = 0; x < width_; ++x) {
+RoomWays::RoomWays(const NavigationGrid& grid, const CellSet& reached, const Room& room, const Vec2& from)
+    : from_(from) {
+  const Bounds around = room_bounds(room, 1);
+  const auto low = grid.cell_at(around.low.head<2>()), high = grid.cell_at(around.high.head<2>());
+  const int left = std::max(0, low.x), right = std::min(grid.width() - 1, high.x);
+  const int front = std::max(0, low.y), back = std::min(grid.height() - 1, high.y);
+  width_ = std::max(0, right - left + 1);
+  height_ = std::max(0, back - front + 1);
+  for (int y = front; y <= back; ++y) {
+    for (int x = left; x <= right; ++x) {
       centres_.push_back(grid.centre({x, y}));
       floor_.push_back(reached.has(x, y) && contains(room.polygon, centres_.back()));
     }
   }
+  ways_.assign(floor_.size(), kNoWay);
+  first_ = nearest(from);
+  if (first_) walk(*first_);
 }
 
 std::optional<std::size_t> RoomWays::nearest(const Vec2& point) const {
@@ -31,50 +37,39 @@ std::optional<std::size_t> RoomWays::nearest(const Vec2& point) const {
   return best;
 }
 
-/// The shortest way to a cell that comes from one of its neighbors.
-double RoomWays::through(const std::vector<double>& ways, std::size_t i) const {
-  const int x = static_cast<int>(i) % width_, y = static_cast<int>(i) / width_;
-  const auto at = [&](int dx, int dy) -> std::optional<std::size_t> {
-    if (x + dx < 0 || x + dx >= width_ || y + dy < 0 || y + dy >= height_) return std::nullopt;
-    const auto place = static_cast<std::size_t>((y + dy) * width_ + x + dx);
-    return floor_[place] ? std::optional(place) : std::nullopt;
-  };
-  double best = kNone;
-  for (const int side : {-1, 1}) {
-    if (const auto beside = at(side, 0)) best = std::min(best, ways[*beside] + NavigationGrid::kCell_m);
-    if (const auto beside = at(0, side)) best = std::min(best, ways[*beside] + NavigationGrid::kCell_m);
-    for (const int other : {-1, 1}) {
-      const auto corner = at(side, other);
-      if (corner && at(side, 0) && at(0, other))
-        best = std::min(best, ways[*corner] + std::sqrt(2.0) * NavigationGrid::kCell_m);
+/// Dijkstra's algorithm.
+void RoomWays::walk(std::size_t first) {
+  using Open = std::pair<double, std::size_t>;
+  std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
+  ways_[first] = 0;
+  open.emplace(0, first);
+  while (!open.empty()) {
+    const auto [way, i] = open.top();
+    open.pop();
+    if (way > ways_[i]) continue;
+    const int x = static_cast<int>(i) % width_, y = static_cast<int>(i) / width_;
+    const auto at = [&, x = x, y = y](int dx, int dy) -> std::optional<std::size_t> {
+      if (x + dx < 0 || x + dx >= width_ || y + dy < 0 || y + dy >= height_) return std::nullopt;
+      const auto place = static_cast<std::size_t>((y + dy) * width_ + x + dx);
+      return floor_[place] ? std::optional(place) : std::nullopt;
+    };
+    for (int dy = -1; dy <= 1; ++dy) {
+      for (int dx = -1; dx <= 1; ++dx) {
+        const auto next = at(dx, dy);
+        if (!next || !at(dx, 0) || !at(0, dy)) continue;
+        const double there = way + (dx != 0 && dy != 0 ? std::sqrt(2.0) : 1.0) * NavigationGrid::kCell_m;
+        if (there >= ways_[*next]) continue;
+        ways_[*next] = there;
+        open.emplace(there, *next);
+      }
     }
   }
-  return best;
 }
 
-void RoomWays::sweep(std::vector<double>& ways, bool forward, bool& changed) const {
-  for (std::size_t k = 0; k < ways.size(); ++k) {
-    const std::size_t i = forward ? k : ways.size() - 1 - k;
-    if (!floor_[i]) continue;
-    const double way = through(ways, i);
-    if (way >= ways[i]) continue;
-    ways[i] = way;
-    changed = true;
-  }
-}
-
-std::optional<double> RoomWays::meters(const Vec2& from, const Vec2& to) const {
-  const auto first = nearest(from), last = nearest(to);
-  if (!first || !last) return std::nullopt;
-  std::vector<double> ways(floor_.size(), kNone);
-  ways[*first] = 0;
-  for (bool changed = true; changed;) {
-    changed = false;
-    sweep(ways, true, changed);
-    sweep(ways, false, changed);
-  }
-  if (ways[*last] == kNone) return std::nullopt;
-  return (centres_[*first] - from).norm() + ways[*last] + (centres_[*last] - to).norm();
+std::optional<double> RoomWays::meters(const Vec2& to) const {
+  const auto last = nearest(to);
+  if (!first_ || !last || ways_[*last] == kNoWay) return std::nullopt;
+  return (centres_[*first_] - from_).norm() + ways_[*last] + (centres_[*last] - to).norm();
 }
 
 }  // namespace unietp

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -8,25 +9,29 @@
 
 namespace unietp {
 
-/// The floor of one room that the agent can walk to, and how far it is from place to place there. Steps go to the eight
-/// neighboring cells, slantwise only where both cells beside the step are floor, too. Written apart from grounding/,
-/// which measures the same.
+/// How far it is on foot from one place in a room to others in it, over the floor that the agent can walk to. Steps go
+/// to the eight neighboring cells, slantwise only where both cells beside the step are floor, too. Takes time in
+/// proportion to the room. Written apart from grounding/, which measures the same.
 class RoomWays {
  public:
-  RoomWays(const NavigationGrid& grid, const CellSet& reached, const Room& room);
+  RoomWays(const NavigationGrid& grid, const CellSet& reached, const Room& room, const Vec2& from);
 
-  /// Meters between two points, from each to the nearest cell of the floor (of equally near ones the first by row, then
+  /// Meters to a point, from each end to the nearest cell of the floor (of equally near ones the first by row, then
   /// column) and between these; nullopt when there is no way within the room.
-  std::optional<double> meters(const Vec2& from, const Vec2& to) const;
+  std::optional<double> meters(const Vec2& to) const;
 
  private:
-  std::optional<std::size_t> nearest(const Vec2& point) const;
-  void sweep(std::vector<double>& ways, bool forward, bool& changed) const;
-  double through(const std::vector<double>& ways, std::size_t i) const;
+  static constexpr double kNoWay = std::numeric_limits<double>::infinity();
 
-  int width_ = 0, height_ = 0;  // of the whole grid
+  std::optional<std::size_t> nearest(const Vec2& point) const;
+  void walk(std::size_t first);
+
+  Vec2 from_;
+  int width_ = 0, height_ = 0;  // of the part of the grid around the room
   std::vector<bool> floor_;     // by row and column
   std::vector<Vec2> centres_;
+  std::vector<double> ways_;  // meters between the middles of cells
+  std::optional<std::size_t> first_;
 };
 
 }  // namespace unietp

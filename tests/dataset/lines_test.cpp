@@ -53,11 +53,13 @@ TEST(Lines, ADemonstrationFollowsItsSchema) {
   const Command open{"open", {{"fridge_1", std::nullopt}}}, box{"open", {{"", PixelBox{1, 2, 3, 4}}}}, stop{"stop", {}};
   const std::vector<VisibleObject> visible{{"fridge_1", {0, 1, 2, 3}}};
   const Delta none;
+  const std::vector<Delta> at_once, moments(2);
   for (const Mode mode : kModes) {
     const auto line =
         demonstration_line("ai2thor-00001", mode,
-                           {{mode == Mode::M3 ? box : open, false, "too-far", "it is too far", visible, none},
-                            {stop, true, "none", "", {}, none, false}},
+                           {{mode == Mode::M3 ? box : open, false, "too-far", "it is too far", visible, none, at_once},
+                            {open, true, "none", "", visible, none, moments},
+                            {stop, true, "none", "", {}, none, at_once, false}},
                            {{open, stop}, {open, stop}});
     EXPECT_EQ(broken(line, "demonstration.schema.json"), "");
   }

@@ -58,7 +58,7 @@ Demonstration demonstration_of(const TaskSource& tasks, std::size_t position, Mo
   for (const auto& step : stored->steps) {
     Action action{*action_named(step.command.action), {}};
     for (const Argument& argument : step.command.args) action.args.push_back(id_of(argument, step.visible));
-    demonstration.steps.push_back({step.visible, std::move(action), step.command, {}, {}, false});
+    demonstration.steps.push_back({step.visible, std::move(action), step.command, {}, {}});
   }
   return demonstration;
 }

@@ -99,10 +99,12 @@ class SetOfThree {
                                         "(exists (?a - Mug) (sometime (held ?a)))"))});
     const Command open{"open", {{"mug_1", std::nullopt}}}, stop{"stop", {}};
     const Delta none;
+    const std::vector<Delta> at_once;
     std::vector<std::string> shown;
     for (const char* task : {"t-1", "t-2", "t-3"})
-      shown.push_back(demonstration_line(
-          task, Mode::M1, {{open, false, "too-far", "It is too far.", {}, none}, {stop, true, "none", "", {}, none}}));
+      shown.push_back(demonstration_line(task, Mode::M1,
+                                         {{open, false, "too-far", "It is too far.", {}, none, at_once},
+                                          {stop, true, "none", "", {}, none, at_once}}));
     write("demonstrations/M1.jsonl", shown);
     const RejectionEntry given_up{3, 0, "open-one", "ai2thor", "atomic", "expert", "action-failed", ""};
     write("rejections.jsonl", {line_of(given_up), line_of(given_up)});

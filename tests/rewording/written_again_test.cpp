@@ -45,12 +45,13 @@ TEST(WrittenAgain, ATaskAndItsDemonstrationsStayAsTheyWere) {
   const Command open{"open", {{"fridge_1", std::nullopt}}}, box{"open", {{"", PixelBox{1, 2, 3, 4}}}}, stop{"stop", {}};
   const std::vector<VisibleObject> visible{{"fridge_1", {0, 1, 2, 3}}};
   const Delta none, some = some_changes();
-  const auto in_m1 =
-      demonstration_line("ai2thor-00001", Mode::M1,
-                         {{open, false, "too-far", "it is too far", visible, some}, {stop, true, "none", "", {}, none}},
-                         {{}, {open, stop}});
-  const auto in_m3 =
-      demonstration_line("ai2thor-00001", Mode::M3, {{box, true, "none", "", {}, none, true}}, {{open, stop}, {}});
+  const std::vector<Delta> at_once, moments{some, none};
+  const auto in_m1 = demonstration_line(
+      "ai2thor-00001", Mode::M1,
+      {{open, true, "none", "", visible, some, moments}, {stop, true, "none", "", {}, none, at_once}},
+      {{}, {open, stop}});
+  const auto in_m3 = demonstration_line("ai2thor-00001", Mode::M3, {{box, true, "none", "", {}, none, at_once, true}},
+                                        {{open, stop}, {}});
   const auto task = read_task("t", 1, line);
   ASSERT_TRUE(task) << format(task.error());
   const auto first = read_demonstration("d", 1, in_m1), second = read_demonstration("d", 1, in_m3);
