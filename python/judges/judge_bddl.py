@@ -21,6 +21,7 @@ from bddl.backend_abc import BDDLBackend
 from bddl.logic_base import BinaryAtomicFormula, UnaryAtomicFormula
 
 import unietp
+from unietp.dataset import changed
 from report import finish
 
 STATES = {"open": "open", "power_on": "toggled_on", "hot": "hot", "cooked": "cooked", "frozen": "frozen"}
@@ -152,6 +153,17 @@ def holds(formula, trace):
     return whole()[0]
 
 
+def moments_of(env, step):
+    """Does a step; the scene graphs of the moments that it passes through, the last of which is how it ends."""
+    before = env.scene()
+    env.step(step.command())
+    scenes = []
+    for change in env.executed()[-1].get("moments", [])[:-1]:
+        before = changed(before, change)
+        scenes.append(before)
+    return [*scenes, env.scene()]
+
+
 def judge(env, demonstration, activity, text, synsets):
     """One row: how often the two agree on the states of a task's demonstration, and the first state where they do not."""
     task = activity["task"]
@@ -167,10 +179,9 @@ def judge(env, demonstration, activity, text, synsets):
     env.reset(options={"task": task})
     trace, apart, theirs = [], [], False
     for number, step in enumerate([None, *demonstration.steps]):
-        if step is not None:
-            env.step(step.command())
-        facts.true = literals(env.scene(), names, synsets)
-        trace.append({name for name, one in propositions.items() if evaluate_goal_conditions(one)[0]})
+        for scene in [env.scene()] if step is None else moments_of(env, step):
+            facts.true = literals(scene, names, synsets)
+            trace.append({name for name, one in propositions.items() if evaluate_goal_conditions(one)[0]})
         ours, asked = env.privileged()["success"], evaluate_goal_conditions(goal)[0]
         theirs = holds(activity["goal"]["formula"], trace)
         if theirs != ours or (asked != ours if activity["last_state_decides"] else ours and not asked):

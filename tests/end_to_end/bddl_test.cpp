@@ -324,18 +324,26 @@ TEST(ExportBehavior, EachFormulaHasTheTruthOfOursAfterEveryStep) {
     Scene scene = start;
     std::vector<Delta> changes;
     LtlfTrace trace;
-    for (std::size_t n = 0; n <= shown.steps.size(); ++n) {
-      if (n > 0) {
-        changes.push_back(shown.steps[n - 1].changes);
-        scene = apply(scene, changes.back());
-      }
-      const Facts facts = facts_of(problem, scene);
+    const auto see = [&](const Facts& facts) {
       trace.emplace_back();
       for (const auto& one : json["goal"]["propositions"]) {
         const std::string literal = one["bddl"];
         std::size_t at = 0;
         if (goal_holds(problem, read_expression(literal, at), facts, {})) trace.back().insert(one["name"]);
       }
+    };
+    for (std::size_t n = 0; n <= shown.steps.size(); ++n) {
+      if (n > 0) {
+        const StepRecord& step = shown.steps[n - 1];
+        const auto moments = step.moments.empty() ? std::vector{step.changes} : step.moments;
+        for (std::size_t i = 0; i < moments.size(); ++i) {
+          changes.push_back(moments[i]);
+          scene = apply(scene, moments[i]);
+          if (i + 1 < moments.size()) see(facts_of(problem, scene));
+        }
+      }
+      const Facts facts = facts_of(problem, scene);
+      see(facts);
       const auto& listed = n == 0 ? json["goal"]["holds"] : json["plan"][n - 1]["holds"];
       EXPECT_EQ(trace.back(), std::set<std::string>(listed.begin(), listed.end())) << "after " << n << " steps";
       const bool ours = holds(task.goal_tree, to_logic(start, changes, true));
