@@ -18,6 +18,7 @@ struct DataFolders {
   std::filesystem::path sense() const { return root / "data" / "sense"; }              // what is usual in homes
   std::filesystem::path runs() const { return root / "data" / "runs"; }                // configurations of runs
   std::filesystem::path layouts() const { return root / "data" / "layouts"; }          // recipes of homes
+  std::filesystem::path bddl() const { return root / "data" / "bddl"; }                // exports/bddl.h
   std::filesystem::path scene_files() const { return root / "data" / "scene_files"; }  // interchange/format_facts.h
   std::filesystem::path english() const { return root / "data" / "english"; }          // report/word_figures.h
   std::filesystem::path benchmarks() const {

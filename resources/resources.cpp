@@ -219,7 +219,9 @@ Result<std::string> knowledge_digest(const DataFolders& folders) {
   std::string listing;
   std::vector<fs::path> covered{folders.tables(), folders.sense(), folders.profiles(), folders.layouts(),
                                 folders.library()};
-  if (std::error_code code; fs::exists(folders.extended(), code)) covered.push_back(folders.extended());
+  for (const auto& folder : {folders.extended(), folders.scene_files(), folders.bddl()}) {
+    if (std::error_code code; fs::exists(folder, code)) covered.push_back(folder);
+  }
   for (const auto& folder : covered) {
     const auto files = files_below(folder);
     if (!files) return files.error();
