@@ -34,7 +34,20 @@ Rejection rejected(const Specification& specification, const Scene& scene, const
   return {failure.reason, said_of(specification) + " in " + scene.id + ": " + failure.detail};
 }
 
-/// Constraints that the goal's referring domains add to the start: something to pick out, something to tell it from.
+/// For each test of a phrase something that passes all the others and not this one; of one test, something else.
+std::vector<Formula> told_apart_by(const Formula& where) {
+  if (where.op != Formula::Op::And) return {negation(where)};
+  std::vector<Formula> all;
+  for (std::size_t i = 0; i < where.children.size(); ++i) {
+    Formula other = where;
+    other.children[i] = negation(where.children[i]);
+    all.push_back(std::move(other));
+  }
+  return all;
+}
+
+/// Constraints that the goal's referring domains add to the start: something to pick out, something to tell it from by
+/// each thing that is said of it.
 std::vector<Formula> referring_constraints(const Specification& specification) {
   std::vector<Formula> constraints;
   const bool tells_apart =
@@ -46,7 +59,8 @@ std::vector<Formula> referring_constraints(const Specification& specification) {
     Domain all = one.domain;
     all.where.clear();
     constraints.push_back(exists(one.variable, all, where));
-    if (tells_apart) constraints.push_back(exists(one.variable, all, negation(where)));
+    if (!tells_apart) continue;
+    for (Formula& other : told_apart_by(where)) constraints.push_back(exists(one.variable, all, std::move(other)));
   }
   return constraints;
 }

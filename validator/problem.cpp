@@ -59,7 +59,7 @@ constexpr std::array kProblems{
     ProblemInfo{Kind::PartAtStart, "part-at-start", "a part of the goal already holds at the start"},
     ProblemInfo{Kind::EmptyDomain, "empty-domain", "a 'forall' or 'count' of the goal has an empty domain"},
     ProblemInfo{Kind::NoReferent, "no-referent", "a referring phrase matches no object"},
-    ProblemInfo{Kind::NoDistractor, "no-distractor", "a referring phrase excludes no object"},
+    ProblemInfo{Kind::NoDistractor, "no-distractor", "something that a referring phrase says excludes no object"},
     ProblemInfo{Kind::NotNearest, "not-nearest", "what a referring phrase calls the nearest is not so on foot"},
     ProblemInfo{Kind::Outcome, "outcome", "the result of a step differs in the replay"},
     ProblemInfo{Kind::View, "view", "the view before a step differs in the replay"},

@@ -126,16 +126,22 @@ class TaskProver {
     if (proof_.problems.empty()) compare_with_remade();
   }
 
-  /// Where goals are to be what people would say, the nearest thing is the nearest on foot, too.
+  /// Each test of a phrase that tells apart tells from something. Where goals are to be what people would say, what is
+  /// called the nearest is so on foot, too.
   void prove_referents(const Trace& at_start) {
-    if (tools_.manifest == nullptr || tools_.manifest->run.sense != "usual" || !reads_comparisons(*goal_)) return;
+    const bool tells_apart = task_.split == "instance_grounding" || !task_.refinement.empty();
+    const bool natural = tools_.manifest != nullptr && tools_.manifest->run.sense == "usual";
     for (const Referents& one : referents_of(*goal_, start_, at_start, *backend_->profile)) {
+      const auto wrong = [&](ProblemKind kind, std::string message) {
+        found(kind, reading_.where, one.phrase + " " + std::move(message));
+      };
+      for (const std::string& test : tells_apart ? one.idle : std::vector<std::string>())
+        wrong(ProblemKind::NoDistractor, "would mean the same at the start without " + test);
+      if (!natural) continue;
       for (const std::string& id : one.beyond_wall)
-        found(ProblemKind::NotNearest, reading_.where,
-              one.phrase + " means " + id + ", of which that is not clearly so on foot, within one room");
+        wrong(ProblemKind::NotNearest, "means " + id + ", of which it is not so on foot within the room");
       for (const std::string& id : one.rivals)
-        found(ProblemKind::NotNearest, reading_.where,
-              one.phrase + " does not mean " + id + ", which is the nearest on foot");
+        wrong(ProblemKind::NotNearest, "does not mean " + id + ", which is the nearest on foot");
     }
   }
 

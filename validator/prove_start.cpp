@@ -82,17 +82,9 @@ std::vector<Problem> prove_goal_at_start(const TaskRecord& task, const Formula& 
         found(ProblemKind::PartAtStart, "the part " + to_text(part) + " of its goal already holds at the start");
     }
   }
-  const bool tells_apart = task.split == "instance_grounding" || !task.refinement.empty();
   for (const ReferringDomain& one : referring_domains(goal)) {
-    if (!one.certain) continue;
-    Domain whole = one.domain;
-    whole.where.clear();
-    const auto referents = members_of(one.domain, one.variable, at_start).size();
-    if (referents == 0) {
+    if (one.certain && members_of(one.domain, one.variable, at_start).empty())
       found(ProblemKind::NoReferent, "no object at the start matches " + to_text(one.domain));
-    } else if (tells_apart && members_of(whole, one.variable, at_start).size() == referents) {
-      found(ProblemKind::NoDistractor, to_text(one.domain) + " excludes no object at the start");
-    }
   }
   return problems;
 }

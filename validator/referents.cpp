@@ -99,7 +99,7 @@ class Walker {
 class ReferentReader {
  public:
   ReferentReader(const Scene& scene, const Trace& start, const Profile& profile)
-      : start_(start), walker_(scene, profile) {}
+      : scene_(scene), start_(start), profile_(profile) {}
 
   Referents read(const ReferringDomain& one) const {
     Referents found;
@@ -119,7 +119,8 @@ class ReferentReader {
         others.where.push_back(one.domain.where.front());
         others.where.front().children = rest;
       }
-      if (ids_of(others, one.variable).size() <= found.means.size()) found.idle.push_back(to_text(tests[i]));
+      if (one.certain && ids_of(others, one.variable).size() <= found.means.size())
+        found.idle.push_back(to_text(tests[i]));
       if (const auto relation = relation_to_some(tests[i], one.variable)) walk(tests[i], *relation, one, found);
     }
     return found;
@@ -149,11 +150,11 @@ class ReferentReader {
     for (const std::string& landmark : ids_of(test.domain, test.variable)) {
       if (relation == Predicate::NextTo) {
         std::erase_if(missed, [&](const std::string& id) {
-          return holds(relation, id, landmark) && walker_.room_of(id) == walker_.room_of(landmark);
+          return holds(relation, id, landmark) && walker().room_of(id) == walker().room_of(landmark);
         });
         continue;
       }
-      const auto ways = walker_.from(landmark, kind);
+      const auto ways = walker().from(landmark, kind);
       if (ways.empty() || (ways.size() > 1 && !clearly_nearer(ways[0].first, ways[1].first))) continue;
       const std::string& nearest = ways.front().second;
       if (std::find(found.means.begin(), found.means.end(), nearest) == found.means.end()) {
@@ -165,8 +166,15 @@ class ReferentReader {
     found.beyond_wall.insert(found.beyond_wall.end(), missed.begin(), missed.end());
   }
 
+  const Walker& walker() const {
+    if (!walker_) walker_.emplace(scene_, profile_);
+    return *walker_;
+  }
+
+  const Scene& scene_;
   const Trace& start_;
-  Walker walker_;
+  const Profile& profile_;
+  mutable std::optional<Walker> walker_;  // only phrases about nearness and neighbors need it
 };
 
 }  // namespace

@@ -21,7 +21,8 @@ struct Referents {
   std::vector<std::string> beyond_wall;
   /// Ids of others of the category that would be taken for the nearest on foot.
   std::vector<std::string> rivals;
-  /// Tests without which the phrase would mean the same: nothing else passes all but this one.
+  /// Tests without which the phrase would mean the same: nothing else passes all but this one. None of a condition ("if
+  /// the dishwasher is open"), which tells from nothing.
   std::vector<std::string> idle;
 };
 /// Of every domain of the goal that selects by facts of the start. `start`: the first state of this trace.
