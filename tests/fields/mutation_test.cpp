@@ -33,6 +33,8 @@ constexpr Passing kMayPass[] = {
     {"reviews.jsonl", "comment", ""},            // a person's words
     {"reviews.jsonl", "verdict", ""},            // a person's judgment of a task that stayed, which may be left out
     {"reviews.jsonl", "", "line dropped"},
+    {"tasks.jsonl", "instruction.phrasing",
+     "dropped"},                               // the grammar may say in its own words what a phrasing says, too
     {"wordings.jsonl", "complex", "dropped"},  // not every goal has one
     {"wordings.jsonl", "others", "dropped"},   // nor so many texts
     {"wordings.jsonl", "others[]", "dropped"},

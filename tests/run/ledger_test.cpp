@@ -44,6 +44,7 @@ CandidateRecord full_record() {
                      "direct",
                      "grammar",
                      "usual",
+                     "virtualhome virtualhome-unity",
                      {{"A", "Fridge"}, {"B", ""}},
                      {{Mode::M1, "go_to", "fridge_1", true, "none"},
                       {Mode::M1, "stop", "", true, "none"},
