@@ -12,6 +12,7 @@ body of each answer to a file, one a line.
 import argparse
 import http.server
 import importlib.util
+import json
 import os
 import pathlib
 import signal
@@ -19,6 +20,8 @@ import sys
 import threading
 import urllib.error
 import urllib.request
+
+from planted_wordings import planted
 
 
 def shipped_model() -> pathlib.Path:
@@ -29,18 +32,33 @@ def shipped_model() -> pathlib.Path:
     return pathlib.Path(package.origin).with_name("SmolLM2-135M-Instruct.Q4_1.gguf")
 
 
-def recording(inner: str, file: pathlib.Path, port: int) -> http.server.ThreadingHTTPServer:
-    """A server before another one that keeps the bodies of its chat completions."""
+def forwarded(request: urllib.request.Request) -> tuple[int, bytes]:
+    """The status and the body of the answer."""
+    try:
+        with urllib.request.urlopen(request) as answer:
+            return answer.status, answer.read()
+    except urllib.error.HTTPError as error:
+        return error.code, error.read()
+
+
+def planted_body(asked: bytes, seed: int) -> bytes | None:
+    """What `--plant` answers to the body of a request; None where the model is to answer it."""
+    text = planted("\n".join(message["content"] for message in json.loads(asked)["messages"]), seed)
+    if text is None:
+        return None
+    message = {"role": "assistant", "content": json.dumps({"instruction": text})}
+    return json.dumps({"choices": [{"index": 0, "finish_reason": "stop", "message": message}], "model": "planted"}).encode()
+
+
+def recording(inner: str, file: pathlib.Path, port: int, plant: int | None) -> http.server.ThreadingHTTPServer:
+    """A server before another one that keeps the bodies of its chat completions. `plant`: the seed of `--plant`."""
 
     class Handler(http.server.BaseHTTPRequestHandler):
         def do_POST(self) -> None:
             asked = self.rfile.read(int(self.headers["Content-Length"]))
-            request = urllib.request.Request(inner + self.path, asked, {"Content-Type": "application/json"})
-            try:
-                with urllib.request.urlopen(request) as answer:
-                    status, body = answer.status, answer.read()
-            except urllib.error.HTTPError as error:
-                status, body = error.code, error.read()
+            status, body = 200, None if plant is None else planted_body(asked, plant)
+            if body is None:
+                status, body = forwarded(urllib.request.Request(inner + self.path, asked, {"Content-Type": "application/json"}))
             if status == 200:
                 with file.open("ab") as kept:
                     kept.write(body.replace(b"\n", b" ") + b"\n")
@@ -63,6 +81,8 @@ def main() -> None:
     options.add_argument("--model", type=pathlib.Path, help="a GGUF file (default: SmolLM2-135M-Instruct)")
     options.add_argument("--port", type=int, default=0, help="on 127.0.0.1 (default: any free one)")
     options.add_argument("--record", type=pathlib.Path, metavar="FILE", help="append the bodies of the answers to a file")
+    options.add_argument("--plant", type=int, metavar="SEED", help="with --record: answer requests for a wording without the "
+                         "model, with a right one whose meaning was changed (planted_wordings.py)")
     options.add_argument("--threads", type=int, default=2, help="for one answer (default: 2)")
     options.add_argument("--at-once", type=int, default=1, help="requests answered at the same time (default: 1)")
     options.add_argument("--context", type=int, default=4096, help="tokens of one request and its answer (default: 4096)")
@@ -90,7 +110,7 @@ def main() -> None:
         sys.exit(f"{model}: {error}")
     address = server.listening_address
     if chosen.record:
-        address = f"http://127.0.0.1:{recording(address, chosen.record, chosen.port).server_port}"
+        address = f"http://127.0.0.1:{recording(address, chosen.record, chosen.port, chosen.plant).server_port}"
     print(f"{address}/v1", flush=True)
     stop = threading.Event()
     for number in (signal.SIGINT, signal.SIGTERM):

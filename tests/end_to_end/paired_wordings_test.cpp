@@ -177,5 +177,46 @@ TEST_F(PairedWordings, PairsThatFailLeaveNothingBehind) {
   EXPECT_THAT(left, ::testing::ElementsAre("data"));
 }
 
+/// A person may take each wording over: whoever reads a text reads it in its home, and alike.
+TEST(PairedWordingsOfTraining, AreReadAlikeByEveryReader) {
+  const ScratchFolder folder;
+  const auto data = folder.at("data"), out = folder.at("reviewed");
+  ASSERT_EQ(run_program({"training", "--count", std::to_string(kTasks), "--seed", "31", "--out", data}).code, 0);
+  ASSERT_EQ(run_program({"annotate", data, "--wordings", "4", "--contrasts"}).code, 0);
+  EXPECT_EQ(validate(data).proven, kTasks);
+  const auto tasks = json_lines(fs::path(data) / "tasks.jsonl"), lines = json_lines(fs::path(data) / "wordings.jsonl");
+  ASSERT_EQ(lines.size(), tasks.size());
+  Json edits = Json::array();
+  int contrasts = 0;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const auto& now = tasks[i]["instruction"];
+    EXPECT_GE(texts_of_goal(lines[i]).size(), 2U) << lines[i];
+    if (lines[i].contains("contrast")) {
+      ++contrasts;
+      EXPECT_NE(lines[i]["contrast"]["goal"], tasks[i]["goal"]["text"]);
+    }
+    std::vector<Json> wordings{lines[i]["direct"]};
+    if (lines[i].contains("others"))
+      wordings.insert(wordings.end(), lines[i]["others"].begin(), lines[i]["others"].end());
+    const auto other = std::find_if(wordings.begin(), wordings.end(), [&](const Json& one) {
+      return one["style"] == now["style"] && one["text"] != now["text"];
+    });
+    if (other == wordings.end()) continue;
+    edits.push_back({{"task", tasks[i]["id"]},
+                     {"verdict", "edit"},
+                     {"instruction", now["text"]},
+                     {"text", (*other)["text"]},
+                     {"comment", ""}});
+  }
+  EXPECT_GE(contrasts, kTasks / 2);
+  ASSERT_GE(edits.size(), kTasks / 2U);
+  const Json file{{"format", "unietp-review/1"}, {"set", "data"}, {"tasks_sha256", "x"}, {"reviews", edits}};
+  ASSERT_TRUE(write_file(folder.at("review.json"), file.dump()));
+  const auto ended = run_program({"review", data, "--apply", folder.at("review.json"), "--out", out});
+  EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr(std::to_string(edits.size()) + " edited, 0 not applied"));
+  EXPECT_EQ(validate(out).proven, kTasks);
+}
+
 }  // namespace
 }  // namespace unietp
