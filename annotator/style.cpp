@@ -19,7 +19,7 @@ bool says_one_thing(const Requirement& requirement) {
          !clause.complements[0].negated && !clause.subjects[0].variable.empty();
 }
 
-/// First … then becomes before …, … .
+/// "First … , then …" becomes "…, but … first".
 bool make_inverted_order(Message& message) {
   bool turned = false;
   for (Requirement& requirement : message) {
@@ -146,6 +146,7 @@ bool make_conditional(Plan& plan) {
 struct Mark {
   Style style;
   std::string_view words;
+  std::string_view and_also = {};
 };
 /// Expressions of a style, of which a text must have one.
 constexpr std::array kMarks = {
@@ -157,8 +158,8 @@ constexpr std::array kMarks = {
     Mark{Style::Negation, "not"},
     Mark{Style::SubordinateClause, "once"},
     Mark{Style::SubordinateClause, "as soon as"},
+    Mark{Style::InvertedOrder, ", but", "first"},
     Mark{Style::InvertedOrder, "before you"},
-    Mark{Style::InvertedOrder, ", but"},
     Mark{Style::Coreference, "where"},
     Mark{Style::Coreference, "on which"},
     Mark{Style::ImplicitNeed, "i'd like"},
@@ -239,8 +240,9 @@ std::string style_fault(const std::string& text, Style style, const Formula& goa
   if (style == Style::Aside) return aside_fault(tokens, goal, around, lexicon);
   if (style == Style::Compound) return compound_fault(tokens, lexicon);
   const auto of_style = [&](const Mark& mark) { return mark.style == style; };
-  const bool marked = std::any_of(kMarks.begin(), kMarks.end(),
-                                  [&](const Mark& mark) { return of_style(mark) && says(tokens, mark.words); });
+  const bool marked = std::any_of(kMarks.begin(), kMarks.end(), [&](const Mark& mark) {
+    return of_style(mark) && says(tokens, mark.words) && (mark.and_also.empty() || says(tokens, mark.and_also));
+  });
   if (marked || std::none_of(kMarks.begin(), kMarks.end(), of_style)) return "";
   const auto first = std::find_if(kMarks.begin(), kMarks.end(), of_style);
   return "a text of the style " + std::string(name_of(style)) + " says '" + std::string(first->words) + "' or the like";
