@@ -244,6 +244,48 @@ TEST(KnownHome, IsOfABelievedHomeWhatIsComputedOfThatAlone) {
   EXPECT_EQ(home.of(shorter).walk->grid.digest(), less.grid.digest());
 }
 
+TEST(KnownHome, IsTheSameWhateverWasBelievedBefore) {
+  const Knowledge knowledge = house_knowledge();
+  const Profile profile = house_profile();
+  const Scene start = at_rest(house());
+  auto executions = *ExecutionTree::of(goal("(exists (?x - Mug) (at-end (held ?x)))"), start, knowledge, profile);
+  EpisodeWindow window(executions, Mode::M2);
+  const Scene& bare = window.known_scene();
+  Scene full = bare;
+  for (const Node& node : start.nodes) {
+    if (node.movable) full.nodes.push_back(node);
+  }
+  Scene opened = full;
+  set_state(opened, "fridge_1", Predicate::Open);
+  edit_node(opened, "fridge_1")->opening = 1;
+  Scene fewer = full;  // all but one, so that others take its place in the list
+  std::string gone;
+  erase_if(fewer.nodes, [&](const Node& node) {
+    if (!gone.empty() || !node.movable) return false;
+    gone = node.id;
+    return true;
+  });
+  Scene holding = full;
+  holding.agent.held = {gone};
+  KnownHome home(bare, profile);
+  for (const Scene* believed : {&full, &opened, &fewer, &full, &holding, &bare, &fewer, &opened}) {
+    Scene one = *believed, other = *believed;
+    KnownHome new_home(bare, profile);
+    const KnownStart after = home.of(one), alone = new_home.of(other);
+    EXPECT_EQ(std::vector<Edge>(one.edges.begin(), one.edges.end()),
+              std::vector<Edge>(other.edges.begin(), other.edges.end()));
+    EXPECT_EQ(after.walk->grid.digest(), alone.walk->grid.digest());
+    EXPECT_EQ(after.walk->reached, alone.walk->reached);
+    ASSERT_EQ(after.links.has_value(), alone.links.has_value());
+    for (std::size_t i = 0; after.links && i < one.nodes.size(); ++i) {
+      EXPECT_EQ(after.links->of(i), alone.links->of(i)) << one.nodes[i].id;
+      EXPECT_EQ(after.links->carried(i), alone.links->carried(i)) << one.nodes[i].id;
+    }
+    for (std::size_t i = 0; i < start.nodes.size() + 1; ++i)
+      EXPECT_EQ(after.physics.has(BodyId::node(i)), alone.physics.has(BodyId::node(i)));
+  }
+}
+
 TEST(SearchNeeds, TellWhatToLookForAndWhere) {
   const SearchNeeds one = search_needs(
       goal("(exists (?x - (Mug :where (exists (?f - Fridge) (inside ?x ?f)))) (exists (?y - SideTable) (at-end (on ?x "
