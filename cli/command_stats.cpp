@@ -170,9 +170,10 @@ void add_stats_command(CommandParser& app, CommandLine& program) {
   command->add_flag("--words", options->words, "Print how instructions ask for things, beside goals that people wrote");
   command->add_flag("--usual", options->usual,
                     "Print how many of the categories with usual goals are in a goal, and the others (a minute)");
-  command->add_flag("--referents", options->referents,
-                    "Print how many things referring phrases mean, by what they say, and how many cannot be told so");
-  command->add_flag("--json", options->json, "Print JSON with all rows");
+  auto* const referents = command->add_flag(
+      "--referents", options->referents,
+      "Print how many things referring phrases mean, by what they say, and how many cannot be told so");
+  command->add_flag("--json", options->json, "Print JSON with all rows")->excludes(referents);
   command->callback([options, &program] { program.exit = stats(*options, program); });
 }
 
