@@ -8,6 +8,7 @@ from types import SimpleNamespace
 import act_habitat
 import pytest
 from acting import Facts
+from stand_ins.placed_agent import Agent
 
 MUG, BOX, TABLE, CABINET = 1, 2, 3, 4
 DRAWER = 5  # a link of the cabinet
@@ -65,17 +66,6 @@ class Cabinet(Rigid):
 
     def get_link_scene_node(self, link):
         return SimpleNamespace(absolute_transformation=lambda: Matrix([0, 0, self.joint_positions[0]]))
-
-
-class Agent:
-    def __init__(self):
-        self.state = SimpleNamespace(position=[0.0, 0.0, 0.0], rotation=None)
-
-    def get_state(self):
-        return self.state
-
-    def set_state(self, state):
-        self.state = state
 
 
 class Simulator:

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "exports/express.h"
 #include "interchange/habitat_assets.h"
 
 namespace unietp {
@@ -84,6 +85,18 @@ TEST(HabitatEpisode, TheAgentAndDoorsStandAsAtTheStart) {
   const Json& doors = episode["ao_states"]["fridge_:0000"];
   ASSERT_FALSE(doors.empty());
   EXPECT_GT(doors["0"].get<double>(), 0.3);
+}
+
+TEST(HabitatEpisode, IsRefusedWhereSomethingOfHabitatsOwnStandsOpen) {
+  FinishedTask made = task();
+  EXPECT_EQ(refused_by_habitat(made), "") << "our fridge has a stand-in with joints";
+  Node& fridge = *edit_node(made.start, "fridge_1");
+  fridge.id = "fridge_:0000";
+  EXPECT_EQ(refused_by_habitat(made), "fridge_:0000 is open at the start, and the joints of fridge are not known");
+  fridge.opening = 0;
+  EXPECT_EQ(refused_by_habitat(made), "");
+  fridge.opening = 0.5, fridge.openable = false;
+  EXPECT_EQ(refused_by_habitat(made), "");
 }
 
 }  // namespace

@@ -20,6 +20,7 @@ import numpy
 import trimesh
 import yourdfpy
 from empty_modules import EmptyModules, Nothing
+from placed_agent import Agent
 
 stage_id = 0
 FIRST_ID = 1
@@ -233,17 +234,6 @@ class Templates:
 
     def get_template_handles(self, part):
         return [file for file in self.files if part in file]
-
-
-class Agent:
-    def __init__(self):
-        self.state = SimpleNamespace(position=numpy.zeros(3), rotation=None)
-
-    def get_state(self):
-        return self.state
-
-    def set_state(self, state):
-        self.state = state
 
 
 class Simulator:
