@@ -137,7 +137,9 @@ Trace trace_with(const std::vector<ThorPiece>& pieces, Scene start, std::vector<
   }
   Trace trace = to_logic(apply(std::move(start), at_start), changes, with_comparisons);
   for (const std::string& id : never) {
-    for (Facts& facts : trace.states) facts.forget(entity_of(id, trace));
+    const auto entity = entity_of(id, trace);
+    if (!entity) continue;
+    for (Facts& facts : trace.states) facts.forget(*entity);
   }
   return trace;
 }
