@@ -1,8 +1,8 @@
 """ProcTHOR's own databases (PyPI `procthor`) on the houses of a data set, for `checks/judges procthor`.
 
 Of each house: every object has an asset of the database, under the type that this has there; every door and window has one,
-in walls and between rooms that are there; every object is in a room, and in the one that its id names; what has children is a
-receptacle. Each object that the task names is in the house, but for pieces that AI2-THOR makes when it cuts, and has an asset
+in walls and between rooms that are there; every object is in a room, and in the one that its id names, unless it is of a house of
+ProcTHOR's own, whose rooms are numbered anew; what has children is a receptacle. Each object that the task names is in the house, but for pieces that AI2-THOR makes when it cuts, and has an asset
 that can do what the plan does with it. The package's own start needs pandas and Unity's controller, so its files are read. Floor
 plans are named only, and left out.
 
@@ -45,7 +45,8 @@ def outside_by(x, z, corners):
     return 0.0 if odd else nearest
 
 
-def faults_of_object(thing, parent, rooms, databases):
+def faults_of_object(thing, parent, rooms, own, databases):
+    """`own`: the ids of what is of a house of ProcTHOR's own."""
     asset = databases.assets.get(thing["assetId"])
     if asset is None:
         return [f"{thing['id']} has the unknown asset {thing['assetId']}"]
@@ -57,11 +58,15 @@ def faults_of_object(thing, parent, rooms, databases):
         if "Receptacle" not in holder.get("secondaryProperties", ()) and parent["objectType"] not in OF_PARTS:
             faults.append(f"{parent['id']} has children and is no receptacle")
     room = "room|" + thing["id"].split("|")[1]
-    apart = outside_by(thing["position"]["x"], thing["position"]["z"], rooms[room]) if room in rooms else math.inf
+    if thing["id"] not in own:
+        among = {room: rooms[room]} if room in rooms else {}
+    else:
+        among, room = rooms, "all rooms"
+    apart = min((outside_by(thing["position"]["x"], thing["position"]["z"], corners) for corners in among.values()), default=math.inf)
     if apart > EDGE_M:
         faults.append(f"{thing['id']} is {apart:.2f} m outside {room}")
     for child in thing.get("children", ()):
-        faults += faults_of_object(child, thing, rooms, databases)
+        faults += faults_of_object(child, thing, rooms, own, databases)
     return faults
 
 
@@ -71,8 +76,8 @@ def faults_of_plan(task, things, databases):
     for step in task["plan"]:
         found = STEP.fullmatch(step["step"])
         named = task["objects"].get(found[2]) if found else None
-        thing = things.get("|".join(named.split("|")[:3])) if named else None
-        if thing is None or named.count("|") > 2 or thing["objectType"] in OF_PARTS:
+        thing = things.get(named)  # none for a piece, or a part of a model
+        if thing is None or thing["objectType"] in OF_PARTS:
             continue
         asset = databases.assets.get(thing["assetId"], {})
         if found[1] == "pick_up" and asset.get("primaryProperty") == "Static":
@@ -80,6 +85,11 @@ def faults_of_plan(task, things, databases):
         if found[1] in NEEDS and NEEDS[found[1]] not in asset.get("secondaryProperties", ()):
             faults.append(f"{step['step']}: {thing['assetId']} is not {NEEDS[found[1]]}")
     return faults
+
+
+def whole_of(named, things):
+    """The id of a thing that an id is of, or of a piece or part of; None where there is none."""
+    return next((one for one in (named, named.rpartition("|")[0], named.rpartition("___")[0]) if one in things), None)
 
 
 def objects_of(things):
@@ -93,6 +103,7 @@ def judge(path, databases):
     task = json.loads(path.read_text())
     house = json.loads((path.parent / task["house"]).read_text())
     rooms = {room["id"]: [(corner["x"], corner["z"]) for corner in room["floorPolygon"]] for room in house["rooms"]}
+    own = {one for ours, one in task["objects"].items() if ours == one}
     walls = {wall["id"] for wall in house["walls"]}
     faults = []
     for opening in [*house["doors"], *house["windows"]]:
@@ -101,11 +112,11 @@ def judge(path, databases):
         faults += [f"{opening['id']}: no wall {opening[side]}" for side in ("wall0", "wall1") if opening[side] not in walls]
         faults += [f"{opening['id']}: no room {opening[side]}" for side in ("room0", "room1") if opening[side] not in rooms]
     for thing in house["objects"]:
-        faults += faults_of_object(thing, None, rooms, databases)
+        faults += faults_of_object(thing, None, rooms, own, databases)
     things = [thing["id"] for thing in objects_of(house["objects"])]
     there = {thing["id"]: thing for thing in objects_of(house["objects"])}
     faults += [f"{one} is there twice" for one in there if things.count(one) > 1]
-    faults += [f"{ours} is not in the house" for ours, one in task["objects"].items() if "|".join(one.split("|")[:3]) not in there]
+    faults += [f"{ours} is not in the house" for ours, one in task["objects"].items() if whole_of(one, there) is None]
     faults += faults_of_plan(task, there, databases)
     openings = len(house["doors"]) + len(house["windows"])
     return {"task": task["task"], "rooms": len(rooms), "openings": openings, "objects": len(things), "faults": "; ".join(faults)}

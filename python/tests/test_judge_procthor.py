@@ -97,3 +97,11 @@ def test_a_planted_fault_is_named(tmp_path, name):
 def test_a_plan_that_opens_what_does_not_open_is_named(tmp_path):
     plan = [{"step": "open(table_1)"}]
     assert faults(tmp_path, sound(), TASK | {"plan": plan}) == "open(table_1): Table_1 is not CanOpen"
+
+
+def test_in_a_house_of_procthors_own_ids_need_not_name_rooms(tmp_path):
+    house = json.loads(json.dumps(sound()).replace("Mug|2|1", "mug-table|9|0|1"))
+    names = {"table_1": "DiningTable|2|0", "mug-table|9|0|1": "mug-table|9|0|1"}
+    assert faults(tmp_path, house, TASK | {"objects": names, "plan": []}) == ""
+    mug(house)["position"].update(x=9.0)
+    assert faults(tmp_path, house, TASK | {"objects": names, "plan": []}) == "mug-table|9|0|1 is 5.00 m outside all rooms"
