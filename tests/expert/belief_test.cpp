@@ -268,7 +268,8 @@ TEST(KnownHome, IsTheSameWhateverWasBelievedBefore) {
   Scene holding = full;
   holding.agent.held = {gone};
   KnownHome home(bare, profile);
-  for (const Scene* believed : {&full, &opened, &fewer, &full, &holding, &bare, &fewer, &opened}) {
+  for (const Scene* believed :
+       std::vector<const Scene*>{&full, &opened, &fewer, &full, &holding, &bare, &fewer, &opened}) {
     Scene one = *believed, other = *believed;
     KnownHome new_home(bare, profile);
     const KnownStart after = home.of(one), alone = new_home.of(other);
