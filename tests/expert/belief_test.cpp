@@ -261,9 +261,8 @@ TEST(KnownHome, IsTheSameWhateverWasBelievedBefore) {
   Scene fewer = full;  // all but one, so that others take its place in the list
   std::string gone;
   erase_if(fewer.nodes, [&](const Node& node) {
-    if (!gone.empty() || !node.movable) return false;
-    gone = node.id;
-    return true;
+    if (node.movable && gone.empty()) return gone = node.id, true;
+    return false;
   });
   Scene holding = full;
   holding.agent.held = {gone};
