@@ -86,8 +86,8 @@ struct ResourcesReading {
 ResourcesReading load_resources(const DataFolders& folders);
 
 /// SHA-256 over the names and bytes of tables, profiles, layout recipes, built-in templates and the words of other
-/// formats, in order of path, and of the override files. A user's own templates are not part of it; the configuration of a data set records them.
-/// Errors: Io.
+/// formats, in order of path, and of the override files. A user's own templates are not part of it; the configuration
+/// of a data set records them. Errors: Io.
 Result<std::string> knowledge_digest(const DataFolders& folders);
 
 /// Checks that each category that a template names itself (not through a placeholder) is known to one of its
