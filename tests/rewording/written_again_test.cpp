@@ -46,10 +46,11 @@ TEST(WrittenAgain, ATaskAndItsDemonstrationsStayAsTheyWere) {
   const std::vector<VisibleObject> visible{{"fridge_1", {0, 1, 2, 3}}};
   const Delta none, some = some_changes();
   const std::vector<Delta> at_once, moments{some, none};
-  const auto in_m1 = demonstration_line(
-      "ai2thor-00001", Mode::M1,
-      {{open, true, "none", "", visible, some, moments}, {stop, true, "none", "", {}, none, at_once}},
-      {{}, {open, stop}});
+  const auto in_m1 = demonstration_line("ai2thor-00001", Mode::M1,
+                                        {{open, false, "too-far", "it is too far", visible, none, at_once},
+                                         {open, true, "none", "", visible, some, moments},
+                                         {stop, true, "none", "", {}, none, at_once}},
+                                        {{}, {open, stop}});
   const auto in_m3 = demonstration_line("ai2thor-00001", Mode::M3, {{box, true, "none", "", {}, none, at_once, true}},
                                         {{open, stop}, {}});
   const auto task = read_task("t", 1, line);
@@ -61,9 +62,9 @@ TEST(WrittenAgain, ATaskAndItsDemonstrationsStayAsTheyWere) {
   EXPECT_EQ(again.line, line);
   EXPECT_EQ(again.shown, (std::vector<std::string>{in_m1, in_m3}));
   EXPECT_EQ(again.row.bindings, some_task().bindings);
-  ASSERT_EQ(again.row.actions.size(), 3U);
+  ASSERT_EQ(again.row.actions.size(), 4U);
   EXPECT_EQ(again.row.actions[0], (ActionRow{Mode::M1, "open", "fridge_1", false, "too-far"}));
-  EXPECT_EQ(again.row.actions[2].arguments, "{\"bbox\":[1,2,3,4]}");
+  EXPECT_EQ(again.row.actions[3].arguments, "{\"bbox\":[1,2,3,4]}");
 }
 
 TEST(WrittenAgain, RejectionsWordingsAndMarksStayAsTheyWere) {
