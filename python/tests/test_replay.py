@@ -45,6 +45,15 @@ def test_a_plan_without_its_last_deed_fails(folder, dataset):
         assert info["observation"]["last"]["success"]  # stop itself did what it does
 
 
+def act(env, actions):
+    """Does all of them, a hundred with each answer, which is as many as it may have."""
+    for first in range(0, len(actions), 100):
+        _, reward, terminated, truncated, info = env.step(actions[first : first + 100])
+        if terminated or truncated:
+            break
+    return reward, terminated, truncated, info
+
+
 @pytest.mark.parametrize("mode", MODES)
 def test_a_plan_that_lacks_a_step_fails(folder, dataset, mode):
     """Each plan without one of the steps that are neither search nor tidying. In M3 a box may mean another object once a step is left out, so that the rest
@@ -56,7 +65,7 @@ def test_a_plan_that_lacks_a_step_fails(folder, dataset, mode):
                 continue
             env.reset(options={"task": task.id})
             rest = [step.command() for number, step in enumerate(shown.steps) if number != left_out]
-            _, reward, terminated, _, info = env.step(rest)
+            reward, _, _, info = act(env, rest)
             assert reward == (1 if info.get("success", False) else 0), (task.id, left_out)
             if mode != "M3":
                 assert reward == 0, (task.id, left_out)
@@ -73,7 +82,7 @@ def test_altered_plans_are_rewarded_as_the_validator_judges_them(folder, tmp_pat
             plan = json.loads(line)
             env = envs[plan["mode"]]
             env.reset(options={"task": plan["task"]})
-            _, reward, terminated, truncated, info = env.step(plan["actions"])
+            reward, terminated, truncated, info = act(env, plan["actions"])
             assert terminated or truncated, line
             assert reward == (1 if plan["reaches_goal"] else 0) == (1 if info["success"] else 0), line
             if plan["change"] not in ("swapped-parts", "reversed-parts"):

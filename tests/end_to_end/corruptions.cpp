@@ -94,6 +94,7 @@ const std::vector<Corruption> kCorruptions{
        steps_of(s)[0]["feedback"] = "You are there.";
        return true;
      }},
+    {"FormsLeftOut", "forms", [](DamagedTask& s) { return !std::exchange(s.task["forms"], Json::array()).empty(); }},
     {"AMomentWithinACompositeActionLeftOut", "changes",
      [](DamagedTask& s) {
        for (Json& step : steps_of(s)) {
