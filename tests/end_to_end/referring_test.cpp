@@ -53,7 +53,8 @@ TEST(Referring, TemplatesThatReferAreProven) {
 }
 
 TEST(Referring, StylesOfATemplateAreProven) {
-  expect_proven({"close-before-opening", "linguistic", "", "inverted-order", {", but close", ", but first close"}}, "ai2thor,habitat");
+  expect_proven({"close-before-opening", "linguistic", "", "inverted-order", {", but close", ", but first close"}},
+                "ai2thor,habitat");
   expect_proven({"switch-on-what-was-filled", "linguistic", "", "subordinate-clause", {"Once it's in", "As soon as"}},
                 "ai2thor");
   expect_proven({"place-inside-leave-others-on", "linguistic", "", "distractor", {"Leave the one"}},
