@@ -114,8 +114,8 @@ std::string dataset_card(const Manifest& manifest) {
       "demonstrations.\n\n";
   text +=
       "## How it was verified\n\nEvery demonstration was executed in physics and its goal evaluated on the resulting "
-      "trace. Without any one of its steps the\ngoal is not reached. Every instruction was read back and compared with "
-      "its goal. "
+      "trace. Without any one of its steps the\ngoal is not reached, but for those that are marked as search or "
+      "tidying. Every instruction was read back and compared with its goal. "
       "`unietp validate FOLDER` repeats all of this from the\nfiles alone: checksums, starts at rest, replays with the "
       "same results and views, goals false at the start and true at the end.\n\n";
   text += count_table("split", counts.by_split) + count_table("simulator", counts.by_simulator) +
