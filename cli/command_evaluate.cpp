@@ -13,11 +13,13 @@
 #include "cli/progress_line.h"
 #include "cli/served_tasks.h"
 #include "cli/show_prompt.h"
+#include "core/file_digest.h"
 #include "core/file_writer.h"
 #include "core/files.h"
 #include "core/folder_lock.h"
 #include "core/text.h"
 #include "core/version.h"
+#include "evaluation/agent_files.h"
 #include "evaluation/evaluate.h"
 #include "evaluation/program_policy.h"
 #include "resources/frozen_benchmarks.h"
@@ -42,6 +44,9 @@ Result<EvaluationSetup> setup_of(const EvaluateChoice& choice, const EvaluateReq
   EvaluationSetup setup;
   setup.program_version = program_version();
   setup.program_build = program_build();
+  const auto program_file = digest_of_file("/proc/self/exe");
+  if (!program_file) return program_file.error();
+  setup.program_digest = program_file->sha256;
   const auto knowledge = knowledge_digest(program.folders);
   if (!knowledge) return knowledge.error();
   setup.knowledge_digest = *knowledge;
@@ -53,6 +58,12 @@ Result<EvaluationSetup> setup_of(const EvaluateChoice& choice, const EvaluateReq
                    static_cast<int>(tasks.size())};
   setup.agent = request.model ? EvaluatedAgent{AgentKind::Model, request.model->endpoint.model}
                               : EvaluatedAgent{AgentKind::Policy, choice.policy};
+  if (request.program) {
+    auto files = choice.policy.starts_with("python:") ? files_of_python_policy(choice.policy)
+                                                      : files_of_command(*request.program);
+    if (!files) return files.error();
+    setup.agent.files = std::move(*files);
+  }
   setup.selection = request.selection;
   setup.settings = request.settings;
   if (request.model) {

@@ -284,7 +284,7 @@ Result<EvaluateRequest> read_evaluate_options(const EvaluateChoice& choice, cons
   if (request.built_in) return request;
   auto words = choice.policy.starts_with("python:") ? python_policy(choice.policy) : words_of_command(choice.policy);
   if (!words) return words.error();
-  if (!is_program(words->front())) {
+  if (!program_named(words->front())) {
     const auto near = nearest_name(choice.policy, {"expert", "replay", "random", "stop", "noisy:0.1"});
     return usage("--policy", "there is no program " + in_quotes(words->front()) +
                                  (near.empty() ? "" : "; did you mean " + near + "?"));

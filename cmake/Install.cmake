@@ -5,7 +5,7 @@ set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # packages need no tests
 set(generated ${PROJECT_BINARY_DIR}/installed)
 set(run_unietp $<TARGET_FILE:unietp> --data ${PROJECT_SOURCE_DIR})
 file(GLOB_RECURSE knowledge_inputs CONFIGURE_DEPENDS
-  ${PROJECT_SOURCE_DIR}/data/akb/*.csv ${PROJECT_SOURCE_DIR}/templates/*.template)
+  ${PROJECT_SOURCE_DIR}/data/*.csv ${PROJECT_SOURCE_DIR}/templates/*.template)
 add_custom_command(OUTPUT ${generated}/made
   COMMAND ${CMAKE_COMMAND} -E rm -rf ${generated}
   COMMAND ${CMAKE_COMMAND} -E make_directory ${generated}

@@ -136,16 +136,20 @@ Result<std::string> ChildProcess::exchange(const std::string& line, double secon
   }
 }
 
-bool is_program(const std::string& name) {
+std::optional<std::filesystem::path> program_named(const std::string& name) {
   const auto may_run = [](const std::string& path) {
     std::error_code failed;
     return std::filesystem::is_regular_file(path, failed) && ::access(path.c_str(), X_OK) == 0;
   };
-  if (name.find('/') != std::string::npos) return may_run(name);
+  if (name.find('/') != std::string::npos)
+    return may_run(name) ? std::optional<std::filesystem::path>(name) : std::nullopt;
   const char* path = std::getenv("PATH");
   const auto folders = split(path == nullptr ? "/usr/bin:/bin" : path, ':');
-  return std::any_of(folders.begin(), folders.end(),
-                     [&](const std::string& folder) { return may_run((folder.empty() ? "." : folder) + "/" + name); });
+  for (const std::string& folder : folders) {
+    const std::string file = (folder.empty() ? "." : folder) + "/" + name;
+    if (may_run(file)) return file;
+  }
+  return std::nullopt;
 }
 
 Result<std::vector<std::string>> words_of_command(const std::string& command) {

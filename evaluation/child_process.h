@@ -3,6 +3,7 @@
 #include <sys/types.h>
 
 #include <atomic>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,8 +43,7 @@ class ChildProcess {
 /// The words of a command line, split at blanks; "…" and '…' keep blanks together. Nothing else has a meaning, since no
 /// shell is asked. Errors: Usage, for a quote that is not closed and for no word.
 Result<std::vector<std::string>> words_of_command(const std::string& command);
-/// Whether there is a program of this name: a path to one that may be executed, or a name in one of the folders of
-/// PATH.
-bool is_program(const std::string& name);
+/// The file of a program: `name` is a path to one that may be executed, or a name in one of the folders of PATH.
+std::optional<std::filesystem::path> program_named(const std::string& name);
 
 }  // namespace unietp

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -47,10 +48,20 @@ Json sampling_json(const SamplingSettings& sampling) {
   return json;
 }
 
+Json files_json(const std::map<std::string, std::string>& files) {
+  Json json = Json::array();
+  for (const auto& [path, digest] : files) json.push_back({{"path", path}, {"sha256", digest}});
+  return json;
+}
+
 Json setup_json(const EvaluationSetup& setup) {
   Json settings = Json::object();
   for (const auto& [mode, one] : setup.settings) settings[std::string(name_of(mode))] = settings_to_json(one);
-  Json json{{"program", {{"version", setup.program_version}, {"build", setup.program_build}}},
+  Json program{{"version", setup.program_version}, {"build", setup.program_build}};
+  if (!setup.program_digest.empty()) program["sha256"] = setup.program_digest;
+  Json agent{{"kind", name_of(setup.agent.kind)}, {"name", setup.agent.name}};
+  if (!setup.agent.files.empty()) agent["files"] = files_json(setup.agent.files);
+  Json json{{"program", std::move(program)},
             {"knowledge", setup.knowledge_digest},
             {"backend", setup.backend},
             {"dataset",
@@ -58,7 +69,7 @@ Json setup_json(const EvaluationSetup& setup) {
               {"version", setup.dataset.version},
               {"digest", setup.dataset.digest},
               {"tasks", setup.dataset.tasks}}},
-            {"agent", {{"kind", name_of(setup.agent.kind)}, {"name", setup.agent.name}}},
+            {"agent", std::move(agent)},
             {"selection", selection_json(setup.selection)},
             {"settings", std::move(settings)}};
   if (setup.talk) json["talk"] = talk_json(*setup.talk);
@@ -148,6 +159,21 @@ SamplingSettings read_sampling(JsonReader& reader, const JsonAt& at) {
   return sampling;
 }
 
+std::map<std::string, std::string> read_files(JsonReader& reader, const JsonAt& at) {
+  std::map<std::string, std::string> files;
+  const std::size_t count = reader.items(at);
+  for (std::size_t i = 0; i < count && !reader.error(); ++i) {
+    const JsonAt item = reader.item(at, i);
+    JsonFields own(reader, item);
+    std::string path, digest;
+    if (const auto f = own.required("path")) path = reader.line(*f);
+    if (const auto f = own.required("sha256")) digest = reader.line(*f);
+    own.finish();
+    if (!files.emplace(path, digest).second) reader.fail(item, in_quotes(path) + " is listed twice");
+  }
+  return files;
+}
+
 EvaluationSetup read_setup(JsonReader& reader, const JsonAt& at) {
   EvaluationSetup setup;
   JsonFields fields(reader, at);
@@ -155,6 +181,7 @@ EvaluationSetup read_setup(JsonReader& reader, const JsonAt& at) {
     JsonFields own(reader, *f);
     if (const auto version = own.required("version")) setup.program_version = reader.line(*version);
     if (const auto build = own.required("build")) setup.program_build = reader.line(*build);
+    if (const auto digest = own.optional("sha256")) setup.program_digest = reader.line(*digest);
     own.finish();
   }
   if (const auto f = fields.required("knowledge")) setup.knowledge_digest = reader.line(*f);
@@ -169,6 +196,7 @@ EvaluationSetup read_setup(JsonReader& reader, const JsonAt& at) {
       if (known != kAgentKinds.end()) setup.agent.kind = static_cast<AgentKind>(known - kAgentKinds.begin());
     }
     if (const auto name = own.required("name")) setup.agent.name = reader.line(*name);
+    if (const auto files = own.optional("files")) setup.agent.files = read_files(reader, *files);
     own.finish();
   }
   if (const auto f = fields.required("selection")) setup.selection = read_selection(reader, *f);
@@ -236,8 +264,7 @@ std::string to_text(const EvaluationManifest& manifest) {
               {"completion_tokens", totals.completion_tokens},
               {"cost", totals.cost}}},
             {"report_pictures", manifest.report_pictures},
-            {"files", Json::array()}};
-  for (const auto& [path, digest] : manifest.files) json["files"].push_back({{"path", path}, {"sha256", digest}});
+            {"files", files_json(manifest.files)}};
   return json.dump(2) + "\n";
 }
 
@@ -252,18 +279,7 @@ Result<EvaluationManifest> read_evaluation_manifest(std::string_view where, std:
   if (const auto f = fields.required("setup")) manifest.setup = read_setup(reader, *f);
   if (const auto f = fields.required("totals")) manifest.totals = read_totals(reader, *f);
   if (const auto f = fields.optional("report_pictures")) manifest.report_pictures = read_whole(reader, *f);
-  if (const auto f = fields.required("files")) {
-    const std::size_t count = reader.items(*f);
-    for (std::size_t i = 0; i < count && !reader.error(); ++i) {
-      const JsonAt item = reader.item(*f, i);
-      JsonFields own(reader, item);
-      std::string path, digest;
-      if (const auto at = own.required("path")) path = reader.line(*at);
-      if (const auto at = own.required("sha256")) digest = reader.line(*at);
-      own.finish();
-      if (!manifest.files.emplace(path, digest).second) reader.fail(item, in_quotes(path) + " is listed twice");
-    }
-  }
+  if (const auto f = fields.required("files")) manifest.files = read_files(reader, *f);
   fields.finish();
   if (reader.error()) return *reader.error();
   return manifest;
@@ -271,7 +287,24 @@ Result<EvaluationManifest> read_evaluation_manifest(std::string_view where, std:
 
 std::vector<std::string> differences(const EvaluationSetup& then, const EvaluationSetup& now) {
   std::vector<std::string> lines;
-  add_differences("", setup_json(then), setup_json(now), lines);
+  Json was = setup_json(then), is = setup_json(now);
+  was["agent"].erase("files");
+  is["agent"].erase("files");
+  add_differences("", was, is, lines);
+  std::set<std::string> paths;
+  for (const auto* files : {&then.agent.files, &now.agent.files}) {
+    for (const auto& [path, digest] : *files) paths.insert(path);
+  }
+  for (const std::string& path : paths) {
+    const auto old = then.agent.files.find(path), present = now.agent.files.find(path);
+    if (old == then.agent.files.end()) {
+      lines.push_back("agent.files: " + path + " was not there then");
+    } else if (present == now.agent.files.end()) {
+      lines.push_back("agent.files: " + path + " is not there now");
+    } else if (old->second != present->second) {
+      lines.push_back("agent.files: " + path + " has changed");
+    }
+  }
   return lines;
 }
 

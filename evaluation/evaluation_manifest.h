@@ -33,6 +33,7 @@ std::string_view name_of(AgentKind kind);
 struct EvaluatedAgent {
   AgentKind kind = AgentKind::Model;
   std::string name;  // of the model as the server is asked for it; the policy as given: "noisy:0.1"
+  std::map<std::string, std::string> files = {};  // of a policy that is not the program's: agent_files.h
   bool operator==(const EvaluatedAgent&) const = default;
 };
 
@@ -71,6 +72,7 @@ struct EpisodeSelection {
 /// Everything that shapes the results. A run is only resumed with an equal one.
 struct EvaluationSetup {
   std::string program_version, program_build;  // core/version.h
+  std::string program_digest;                  // SHA-256 of the program's file; "" in runs that do not tell
   std::string knowledge_digest;                // of tables, profiles, layouts and templates
   std::string backend = "unietp";              // whose physics and pictures
   EvaluatedDataset dataset;

@@ -19,7 +19,7 @@ struct DemonstrationStep {
   Delta changes;
   std::vector<Delta> moments = {};  // from moment to moment, where the action passes through several; else empty
   bool search = false;              // only served to see something (search_marks.h)
-  bool tidying = false;             // only closes what was opened before (tidying.h)
+  bool tidying = false;             // only sets back what was opened or turned on before (tidying.h)
 };
 
 /// An executed plan under the rules of a mode.

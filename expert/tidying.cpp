@@ -1,6 +1,7 @@
 #include "expert/tidying.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <set>
 #include <span>
@@ -17,32 +18,52 @@ bool does_all(Rollout& rollout, std::span<const Action> actions) {
                      [&](const Action& action) { return rollout.go_on(action).success; });
 }
 
-bool is_open(const Node* node) { return node != nullptr && node->states.has(Predicate::Open); }
+/// What a careful person sets back: an action, the state that it brings about, and the action that ends it.
+struct SetBack {
+  ActionType did;
+  Predicate state;
+  ActionType undoes;
+};
+constexpr std::array kSetBack{SetBack{ActionType::Open, Predicate::Open, ActionType::Close},
+                              SetBack{ActionType::TurnOn, Predicate::PowerOn, ActionType::TurnOff}};
 
-bool opens(const Action& action, const std::string& id) {
-  return action.type == ActionType::Open && action.args.front() == id;
-}
+/// A thing and what is to be set back of it.
+struct LeftBehind {
+  const SetBack* what = nullptr;
+  std::string id;
+  bool operator==(const LeftBehind&) const = default;
+  bool in(const World& world) const {
+    const Node* node = world.find(id);
+    return node != nullptr && node->states.has(what->state);
+  }
+  bool from(const Action& action) const { return action.type == what->did && action.args.front() == id; }
+};
 
-/// What the actions opened and left open, in the order in which it was opened.
-std::vector<std::string> left_open(ExecutionTree& executions, const ModeRules& rules,
-                                   const std::vector<Action>& actions, std::vector<std::string> opened) {
+/// What the actions opened or turned on and left so, in the order in which that was done.
+std::vector<LeftBehind> left_behind(ExecutionTree& executions, const ModeRules& rules,
+                                    const std::vector<Action>& actions, const std::vector<std::string>& opened) {
+  std::vector<LeftBehind> left;
+  for (const std::string& id : opened) left.push_back({kSetBack.data(), id});
   Rollout all(executions, rules);
   all.go_on(actions);
   for (const Action& action : all.done()) {
-    if (action.type != ActionType::Open || is_open(executions.world().find(action.args.front()))) continue;
-    if (std::find(opened.begin(), opened.end(), action.args.front()) == opened.end())
-      opened.push_back(action.args.front());
+    const auto what =
+        std::find_if(kSetBack.begin(), kSetBack.end(), [&](const auto& x) { return x.did == action.type; });
+    if (what == kSetBack.end()) continue;
+    LeftBehind one{&*what, action.args.front()};
+    if (one.in(executions.world()) || std::find(left.begin(), left.end(), one) != left.end()) continue;
+    left.push_back(std::move(one));
   }
-  std::erase_if(opened, [&](const std::string& id) { return !is_open(all.episode().world().find(id)); });
-  return opened;
+  std::erase_if(left, [&](const LeftBehind& one) { return !one.in(all.episode().world()); });
+  return left;
 }
 
-/// How to come to close a thing, shortest first.
-std::vector<std::vector<Action>> ways_to_close(const std::string& id, Mode mode) {
-  const Action close{ActionType::Close, {id}};
-  std::vector<std::vector<Action>> ways{{close}};
+/// How to come to set a thing back, shortest first.
+std::vector<std::vector<Action>> ways_to_set_back(const LeftBehind& left, Mode mode) {
+  const Action undo{left.what->undoes, {left.id}};
+  std::vector<std::vector<Action>> ways{{undo}};
   for (const ActionType type : {ActionType::TurnTo, ActionType::GoTo})
-    if (offers(info(type), mode)) ways.push_back({{type, {id}}, close});
+    if (offers(info(type), mode)) ways.push_back({{type, {left.id}}, undo});
   return ways;
 }
 
@@ -68,16 +89,18 @@ class TidyingMarker {
       : steps_(demonstration.steps), start_(executions, rules_of_the_told(demonstration.steps.size())) {}
 
   void mark() {
-    std::set<std::string> opened;
+    std::set<std::pair<ActionType, std::string>> done;
     for (std::size_t i = 0; i < steps_.size(); ++i) {
       const Action& action = steps_[i].action;
-      if (action.type == ActionType::Open) opened.insert(action.args.front());
-      if (action.type == ActionType::Close && opened.contains(action.args.front())) mark_close(i);
+      for (const SetBack& what : kSetBack) {
+        if (action.type == what.did) done.emplace(what.did, action.args.front());
+        if (action.type == what.undoes && done.contains({what.did, action.args.front()})) mark_step(i);
+      }
     }
   }
 
  private:
-  void mark_close(std::size_t i) {
+  void mark_step(std::size_t i) {
     if (!mark_if_missed(i)) return;
     while (i > 0 && only_leads_somewhere(steps_[i - 1].action.type) && mark_if_missed(i - 1)) --i;
   }
@@ -104,10 +127,10 @@ class TidyingMarker {
 std::vector<Action> tidied(ExecutionTree& executions, const ModeRules& rules, std::vector<Action> actions,
                            std::size_t done, const std::vector<std::string>& opened) {
   const auto most = static_cast<std::size_t>(rules.limits.steps);
-  for (const std::string& id : left_open(executions, rules, actions, opened)) {
-    const auto last = std::find_if(actions.rbegin(), actions.rend(), [&](const Action& a) { return opens(a, id); });
+  for (const LeftBehind& left : left_behind(executions, rules, actions, opened)) {
+    const auto last = std::find_if(actions.rbegin(), actions.rend(), [&](const Action& a) { return left.from(a); });
     const auto first = std::max(done, static_cast<std::size_t>(actions.rend() - last));
-    for (const auto& way : ways_to_close(id, rules.mode)) {
+    for (const auto& way : ways_to_set_back(left, rules.mode)) {
       if (actions.size() + way.size() > most) break;
       auto longer = with_steps(executions, rules, actions, first, way);
       if (!longer) continue;

@@ -61,7 +61,7 @@ struct StepRecord {
   Delta changes;
   std::vector<Delta> moments = {};  // from moment to moment, where the action passes through several; else empty
   bool search = false;              // only served to see something
-  bool tidying = false;             // only closes what was opened before
+  bool tidying = false;             // only sets back what was opened or turned on before
 };
 /// A line of demonstrations/<mode>.jsonl.
 struct DemonstrationRecord {

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/file_digest.h"
 #include "core/files.h"
 #include "core/in_quotes.h"
 #include "core/ordered_work.h"
@@ -180,6 +181,60 @@ Result<std::map<Mode, LatencyFigures>> latency_of(const std::filesystem::path& f
   return figures;
 }
 
+/// A field in which a score is not what its episode says, or "".
+std::string field_unlike(const EpisodeScore& score, const EpisodeRecord& episode) {
+  EpisodeScore said;
+  said.replies = static_cast<int>(episode.steps.size());
+  for (const EpisodeStep& step : episode.steps) {
+    said.actions += static_cast<int>(step.actions.size());
+    said.prompt_tokens += step.prompt_tokens;
+    said.completion_tokens += step.completion_tokens;
+    said.cost += step.cost;
+  }
+  if (score.key != episode.key) return "task";
+  if (score.simulator != episode.simulator) return "simulator";
+  if (score.split != episode.split) return "split";
+  if (score.template_name != episode.template_name) return "template";
+  if (score.layout != episode.layout) return "layout";
+  if (score.end != episode.end) return "end";
+  if (score.success != episode.success) return "success";
+  if (score.progress != episode.progress) return "progress";
+  if (score.steps != episode.counted) return "steps";
+  if (score.failures != episode.failures) return "failures";
+  if (score.replies != said.replies) return "replies";
+  if (score.actions != said.actions) return "actions";
+  if (score.prompt_tokens != said.prompt_tokens) return "prompt_tokens";
+  if (score.completion_tokens != said.completion_tokens) return "completion_tokens";
+  if (score.cost != said.cost) return "cost";
+  return "";
+}
+
+/// Whether the scores are those of the episodes, and the episodes those of the manifest. What a score says beyond its
+/// episode's own fields is left to `validate`, which executes the episodes again.
+Result<Done> check_scores(const std::filesystem::path& folder, const ScoredRun& run) {
+  const auto stale = [&](const char* file, int line, const std::string& message) {
+    return Error{Error::Kind::Schema,
+                 (folder / file).string(),
+                 {line, 0},
+                 message + "; `unietp evaluate --resume` writes the results anew"};
+  };
+  const auto digest = digest_of_file(folder, kEpisodesFile);
+  if (!digest) return digest.error();
+  const auto stated = run.manifest.files.find(kEpisodesFile);
+  if (stated == run.manifest.files.end() || stated->second != digest->sha256)
+    return stale(kEpisodesFile, 0, "is not the file whose SHA-256 the manifest has");
+  std::size_t next = 0;
+  const auto read = for_each_episode(folder, [&](int line, EpisodeRecord&& episode) -> Result<Done> {
+    if (next >= run.scores.size()) return stale(kScoresFile, 0, "has fewer lines than " + std::string(kEpisodesFile));
+    const std::string field = field_unlike(run.scores[next++], episode);
+    if (field.empty()) return Done{};
+    return stale(kScoresFile, line, "its " + field + " is not that of the episode in " + std::string(kEpisodesFile));
+  });
+  if (!read) return read.error();
+  if (next < run.scores.size()) return stale(kScoresFile, 0, "has more lines than " + std::string(kEpisodesFile));
+  return Done{};
+}
+
 Result<ScoredRun> run_without_scores(const std::filesystem::path& folder) {
   ScoredRun run;
   run.name = name_of_folder(folder);
@@ -247,6 +302,7 @@ Result<ScoredRun> read_scored_run(const std::filesystem::path& folder) {
     return Result<Done>(Done{});
   });
   if (!read) return read.error();
+  if (const auto fine = check_scores(folder, *run); !fine) return fine.error();
   return run;
 }
 

@@ -60,7 +60,9 @@ struct ScoringCallbacks {
 Result<ScoredRun> score_run(const std::filesystem::path& folder, const ScoringData& data,
                             const ScoringCallbacks& watch);
 
-/// Reads the scores that a run's folder has. Errors: Io, Parse, Schema; Usage for a folder without them.
+/// Reads the scores that a run's folder has, and compares them with its episodes as they are recorded; nothing is
+/// executed again. Errors: Io, Parse; Schema, also for scores that are not those of the episodes and for episodes that
+/// are not those of the manifest; Usage for a folder without them.
 Result<ScoredRun> read_scored_run(const std::filesystem::path& folder);
 
 /// All lines of episodes.jsonl, one after the other. Errors: Io, Parse, Schema; those of `take`.

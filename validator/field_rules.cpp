@@ -126,7 +126,7 @@ constexpr std::array kFieldRules{
     FieldInfo{"demonstration", "steps[].failure", Rule::Recomputed, kReplayed},
     FieldInfo{"demonstration", "steps[].feedback", Rule::Recomputed, kReplayed},
     FieldInfo{"demonstration", "steps[].search", Rule::Recomputed, "whether one who is told everything needs the step"},
-    FieldInfo{"demonstration", "steps[].tidying", Rule::Recomputed, "whether it only closes what was opened before"},
+    FieldInfo{"demonstration", "steps[].tidying", Rule::Recomputed, "whether it only closes what was opened or turns off what was turned on before"},
     FieldInfo{"demonstration", "steps[].visible[].id", Rule::Recomputed, kReplayed},
     FieldInfo{"demonstration", "steps[].visible[].box", Rule::Recomputed, kReplayed},
     FieldInfo{"demonstration", "steps[].changes", Rule::Recomputed, kReplayed},

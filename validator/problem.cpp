@@ -74,8 +74,10 @@ constexpr std::array kProblems{
                 "the goal is also reached with an object that its referring phrase excludes"},
     ProblemInfo{Kind::SearchMark, "search-mark",
                 "a step is marked as search and needed for the goal itself, or the reverse"},
-    ProblemInfo{Kind::TidyingMark, "tidying-mark",
-                "a step is marked as tidying and does not only close what was opened before, or the reverse"},
+    ProblemInfo{
+        Kind::TidyingMark, "tidying-mark",
+        "a step is marked as tidying and does not only close what was opened or turn off what was turned on before, or "
+        "the reverse"},
     ProblemInfo{Kind::ShortestPlan, "shortest-plan",
                 "the shortest plan beside a demonstration is not one, or its length is not that of the task's line"},
     ProblemInfo{

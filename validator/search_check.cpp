@@ -94,10 +94,16 @@ std::vector<bool> tidying_steps(const Formula& goal, const World& start, const T
       if (i != step && !tidying[i]) (void)rest.act(by_ids(plan[i]));
     return holds(goal, traces.of(rest.changes));
   };
+  // Whether the step ends what a step before it began.
+  const auto sets_back = [&](std::size_t step) {
+    const bool closes = plan[step].type == ActionType::Close;
+    if (!closes && plan[step].type != ActionType::TurnOff) return false;
+    const Action began{closes ? ActionType::Open : ActionType::TurnOn, plan[step].args};
+    const auto here = plan.begin() + static_cast<std::ptrdiff_t>(step);
+    return std::find(plan.begin(), here, began) != here;
+  };
   for (std::size_t i = 0; i < plan.size(); ++i) {
-    const Action opened{ActionType::Open, plan[i].args};
-    const auto here = plan.begin() + static_cast<std::ptrdiff_t>(i);
-    if (plan[i].type != ActionType::Close || std::find(plan.begin(), here, opened) == here || !is_needless(i)) continue;
+    if (!sets_back(i) || !is_needless(i)) continue;
     tidying[i] = true;
     for (std::size_t k = i; k > 0 && moves_the_body(plan[k - 1].type) && is_needless(k - 1); --k) tidying[k - 1] = true;
   }
@@ -123,9 +129,10 @@ std::vector<Problem> check_marks(const DemonstrationRecord& demonstration, const
           problem_in(kind, where, "step " + std::to_string(i + 1) + " " + to_text(step.command) + " " + fault)};
     };
     if (step.tidying != tidying)
-      return found(ProblemKind::TidyingMark, tidying
-                                                 ? "only closes what was opened before, and is not marked as tidying"
-                                                 : "is marked as tidying, but does not only tidy up");
+      return found(ProblemKind::TidyingMark,
+                   tidying ? "only closes or turns off what was opened or turned on before, and is "
+                             "not marked as tidying"
+                           : "is marked as tidying, but does not only tidy up");
     if (step.search != search)
       return found(ProblemKind::SearchMark, search ? "only serves to see something, and is not marked as search"
                                                    : "is marked as search, but the goal needs it");

@@ -29,7 +29,7 @@ class DemonstrationStep:
     visible: list[dict[str, Any]]  #: in the picture before the step: {"id", "box"}
     changes: dict[str, Any]  #: of the scene graph (`changed`)
     search: bool = False  #: only served to see something; a trainer may weigh it less
-    tidying: bool = False  #: only closes what was opened before; the goal does not need it
+    tidying: bool = False  #: only closes what was opened or turns off what was turned on before; the goal does not need it
     moments: list[dict[str, Any]] = field(default_factory=list)  #: the changes from moment to moment, of a composite action
 
     def command(self) -> dict[str, Any]:

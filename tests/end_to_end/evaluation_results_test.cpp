@@ -167,6 +167,35 @@ TEST_F(ForgedRun, IsFoundByEveryTotalOfItsManifest) {
   }
 }
 
+TEST_F(ForgedRun, IsNotCompared) {
+  ASSERT_EQ(run_program({"compare", run_}).code, 0);
+  const auto refused = [&](const std::string& what) {
+    const Ended ended = run_program({"compare", run_});
+    EXPECT_EQ(ended.code, 2) << what;
+    EXPECT_THAT(ended.err, HasSubstr(what));
+  };
+  const std::string scores = read("scores.jsonl"), episodes = read("episodes.jsonl");
+  std::vector<std::string> lines = split(scores, '\n');
+  const Json first = Json::parse(lines.front());
+  for (const std::string field : {"steps", "actions", "replies", "split", "template", "prompt_tokens"}) {
+    Json line = first;
+    ASSERT_TRUE(line.contains(field)) << first;
+    line[field] = forged(line[field]);
+    lines.front() = line.dump();
+    write("scores.jsonl", join(lines, "\n"));
+    refused("scores.jsonl:1: its " + field + " is not that of the episode");
+  }
+  write("scores.jsonl", scores.substr(scores.find('\n') + 1));
+  refused("scores.jsonl:1: its task is not that of the episode");
+  write("scores.jsonl", scores + lines[1] + "\n");
+  refused("has more lines than episodes.jsonl");
+  write("scores.jsonl", scores);
+  write("episodes.jsonl", episodes.substr(episodes.find('\n') + 1));
+  refused("is not the file whose SHA-256 the manifest has");
+  write("episodes.jsonl", episodes);
+  EXPECT_EQ(run_program({"compare", run_}).code, 0);
+}
+
 TEST_F(ForgedRun, MustNotBeMixedWithAnotherDataSet) {
   EXPECT_EQ(run_program({"compare", run_, run_}).code, 0);
   const std::string other = scratch_.at("other");

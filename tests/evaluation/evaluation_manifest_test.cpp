@@ -46,5 +46,15 @@ TEST(EvaluationManifest, DifferencesNameEachSettingWithItsValues) {
                                                   "sampling.temperature: 0.2 then, null now"));
 }
 
+TEST(EvaluationManifest, DifferencesNameTheFilesOfAnAgentThatChanged) {
+  EvaluationSetup then = sample_manifest().setup;
+  then.agent.files = {{"agent.py", "a"}, {"gone.py", "b"}, {"same.py", "c"}};
+  EvaluationSetup now = then;
+  now.agent.files = {{"agent.py", "x"}, {"new.py", "b"}, {"same.py", "c"}};
+  EXPECT_THAT(differences(then, now),
+              ElementsAre("agent.files: agent.py has changed", "agent.files: gone.py is not there now",
+                          "agent.files: new.py was not there then"));
+}
+
 }  // namespace
 }  // namespace unietp

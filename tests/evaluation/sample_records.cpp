@@ -65,9 +65,10 @@ EvaluationManifest sample_manifest() {
   EvaluationSetup& setup = manifest.setup;
   setup.program_version = "0.1.0";
   setup.program_build = "GNU 12.2.0, Release";
+  setup.program_digest = std::string(64, 'e');
   setup.knowledge_digest = std::string(64, 'b');
   setup.dataset = {"benchmark", "unietp-1.0", std::string(64, 'c'), 536};
-  setup.agent = {AgentKind::Model, "some-model"};
+  setup.agent = {AgentKind::Model, "some-model", {{"agent.py", std::string(64, 'f')}}};
   setup.selection.modes = {Mode::M1, Mode::M2};
   setup.selection.splits = {"atomic"};
   setup.selection.simulators = {"ai2thor", "habitat"};

@@ -46,14 +46,17 @@ struct Tidying : ::testing::TestWithParam<Mode> {
     return closed;
   }
 
-  /// What is open after a demonstration.
-  std::vector<std::string> open_after(const Demonstration& demonstration) const {
+  /// What has the state after a demonstration.
+  std::vector<std::string> left(Predicate state, const Demonstration& demonstration) const {
     World world = *World::create(start, knowledge, profile);
     for (const DemonstrationStep& step : demonstration.steps) EXPECT_TRUE(world.step(step.action).success);
-    std::vector<std::string> open;
+    std::vector<std::string> ids;
     for (const Node& node : world.nodes())
-      if (node.states.has(Predicate::Open)) open.push_back(node.id);
-    return open;
+      if (node.states.has(state)) ids.push_back(node.id);
+    return ids;
+  }
+  std::vector<std::string> open_after(const Demonstration& demonstration) const {
+    return left(Predicate::Open, demonstration);
   }
 };
 
@@ -89,6 +92,24 @@ TEST_P(Tidying, WhatWasOpenAtTheStartStaysOpen) {
   set_state(start, "fridge_1", Predicate::Open);
   const Demonstration demonstration = shown(kFromFridge);
   EXPECT_THAT(closed_in(demonstration), IsEmpty());
+}
+
+TEST_P(Tidying, WhatWasTurnedOnIsTurnedOffAgain) {
+  const Demonstration demonstration = shown("(exists (?x - Potato) (at-end (hot ?x)))");
+  EXPECT_THAT(left(Predicate::PowerOn, demonstration), IsEmpty());
+  EXPECT_THAT(open_after(demonstration), IsEmpty());
+  const auto& steps = demonstration.steps;
+  const auto off = std::find_if(steps.begin(), steps.end(),
+                                [](const auto& step) { return step.action.type == ActionType::TurnOff; });
+  EXPECT_EQ(off != steps.end(), GetParam() != Mode::M1) << "M1 has an action that does it all";
+  if (off != steps.end()) EXPECT_TRUE(off->tidying && !off->search);
+  EXPECT_THAT(needless_steps(wanted, start, demonstration, knowledge, profile), IsEmpty());
+}
+
+TEST_P(Tidying, WhatTheGoalWantsOnStaysOn) {
+  const Demonstration demonstration =
+      shown("(exists (?x - Potato) (exists (?m - Microwave) (at-end (and (hot ?x) (power_on ?m)))))");
+  EXPECT_THAT(left(Predicate::PowerOn, demonstration), ::testing::ElementsAre("microwave_1"));
 }
 
 TEST_P(Tidying, IsLeftOutWhereNoStepsAreLeft) {

@@ -1,0 +1,81 @@
+#include "evaluation/agent_files.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+
+#include "core/file_digest.h"
+#include "core/text.h"
+#include "evaluation/child_process.h"
+
+namespace unietp {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostFiles = 10'000;  // of a package
+
+Result<Done> add_file(std::map<std::string, std::string>& files, const fs::path& path, const std::string& name) {
+  const auto digest = digest_of_file(path);
+  if (!digest) return digest.error();
+  files[name] = digest->sha256;
+  return Done{};
+}
+
+Result<Done> add_package(std::map<std::string, std::string>& files, const fs::path& base, const std::string& package) {
+  std::error_code failed;
+  for (fs::recursive_directory_iterator entry(base / package, failed), end; !failed && entry != end;
+       entry.increment(failed)) {
+    if (entry->path().extension() != ".py" || !entry->is_regular_file(failed)) continue;
+    if (files.size() >= kMostFiles)
+      return Error{Error::Kind::Usage,
+                   "--policy",
+                   {},
+                   "the package " + package + " has more than " + std::to_string(kMostFiles) + " files"};
+    const std::string name = entry->path().lexically_relative(base).generic_string();
+    if (auto done = add_file(files, entry->path(), name); !done) return done;
+  }
+  if (failed) return Error{Error::Kind::Io, (base / package).string(), {}, failed.message()};
+  return Done{};
+}
+
+}  // namespace
+
+Result<std::map<std::string, std::string>> files_of_command(const std::vector<std::string>& words) {
+  std::map<std::string, std::string> files;
+  if (words.empty()) return files;
+  if (const auto program = program_named(words.front())) {
+    if (auto done = add_file(files, *program, words.front()); !done) return done.error();
+  }
+  for (auto word = words.begin() + 1; word != words.end(); ++word) {
+    std::error_code failed;
+    if (!fs::is_regular_file(*word, failed)) continue;
+    if (auto done = add_file(files, *word, *word); !done) return done.error();
+  }
+  return files;
+}
+
+Result<std::map<std::string, std::string>> files_of_python_policy(const std::string& policy) {
+  std::map<std::string, std::string> files;
+  auto parts = split(policy.substr(policy.find(':') + 1), '.');
+  if (parts.size() < 2) return files;
+  parts.pop_back();                     // the class
+  std::vector<std::string> bases{"."};  // policy_host.py puts the current folder first
+  if (const char* more = std::getenv("PYTHONPATH")) {
+    for (const std::string& base : split(more, ':')) bases.push_back(base.empty() ? "." : base);
+  }
+  for (const std::string& base : bases) {
+    std::error_code failed;
+    const std::string module = join(parts, "/") + ".py";
+    const bool in_package = fs::is_directory(fs::path(base) / parts.front(), failed);
+    if (in_package) {
+      if (auto done = add_package(files, base, parts.front()); !done) return done.error();
+    } else if (parts.size() == 1 && fs::is_regular_file(fs::path(base) / module, failed)) {
+      if (auto done = add_file(files, fs::path(base) / module, module); !done) return done.error();
+    }
+    if (!files.empty()) break;
+  }
+  return files;
+}
+
+}  // namespace unietp
