@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "akb/category_words.h"
 #include "akb/csv.h"
 #include "akb/row_reader.h"
 #include "core/files.h"
@@ -65,12 +66,6 @@ std::map<std::string, std::vector<std::string>> lineages(const fs::path& tables,
   return lines;
 }
 
-/// "water_bottle" for "water bottle" and "Water bottle".
-std::string member_word(std::string_view display) {
-  auto word = replace_all(lower(display), " ", "_");
-  return replace_all(word, "-", "_");
-}
-
 /// A row of functions.csv: what something is for.
 struct FunctionRow {
   std::string name;
@@ -81,28 +76,17 @@ bool has(const std::vector<std::string>& list, const std::string& word) {
   return std::find(list.begin(), list.end(), word) != list.end();
 }
 
-/// Whether one of the words names the category: its name or its display name.
-bool names(const std::vector<std::string>& words, const Category& category) {
-  return has(words, lower(category.name)) || has(words, member_word(category.display));
-}
-
 bool serves(const Category& category, const FunctionRow& function) {
-  if (names(function.except, category)) return false;
-  return names(function.also, category) || std::any_of(function.kinds.begin(), function.kinds.end(),
-                                                       [&](const auto& kind) { return has(category.kinds, kind); });
+  if (names_category(function.except, category)) return false;
+  return names_category(function.also, category) ||
+         std::any_of(function.kinds.begin(), function.kinds.end(),
+                     [&](const auto& kind) { return has(category.kinds, kind); });
 }
 
 /// Whether the tables have the same phrase of the category, from another source.
 bool is_stated(const Alias& alias, const Tables& tables) {
   return std::any_of(tables.aliases.begin(), tables.aliases.end(), [&](const Alias& other) {
     return other.category == alias.category && other.kind == alias.kind && other.text == alias.text;
-  });
-}
-
-bool any_is_called(const std::string& word, const std::vector<Tables>& all) {
-  return std::any_of(all.begin(), all.end(), [&](const Tables& tables) {
-    return std::any_of(tables.categories.begin(), tables.categories.end(),
-                       [&](const Category& category) { return names({word}, category); });
   });
 }
 
@@ -131,7 +115,8 @@ std::vector<FunctionRow> read_functions(const fs::path& file,
     });
     for (const auto* column : {"also", "except"}) {
       for (const auto& word : row.list(column)) {
-        if (!any_is_called(word, all)) row.fail(column, "no simulator has a category that is called '" + word + "'");
+        if (!names_any_category(word, all))
+          row.fail(column, "no simulator has a category that is called '" + word + "'");
       }
     }
     if (row.sound() && !served) row.fail("function", "no simulator has a category that serves as this");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "akb/category_words.h"
 #include "akb/row_reader.h"
 #include "core/files.h"
 #include "core/text.h"
@@ -24,10 +25,9 @@ struct PhraseRow {
 };
 
 bool is_of(const Category& category, const PhraseRow& row) {
-  const auto word = replace_all(lower(category.display), " ", "_");
-  if (lists(row.except, word)) return false;
-  return lists(row.also, word) || std::any_of(category.kinds.begin(), category.kinds.end(),
-                                              [&](const auto& kind) { return lists(row.kinds, kind); });
+  if (names_category(row.except, category)) return false;
+  return names_category(row.also, category) || std::any_of(category.kinds.begin(), category.kinds.end(),
+                                                           [&](const auto& kind) { return lists(row.kinds, kind); });
 }
 
 /// The phrases of the row that is read; of a request with its state in front.
@@ -69,6 +69,11 @@ void lay_phrases(const fs::path& tables, std::vector<Tables>& all, std::vector<E
       if (!seen.insert(phrase).second) row.fail("phrases", "'" + phrase + "' stands twice");
     for (const auto& kind : read.kinds)
       if (!kinds.empty() && !kinds.contains(kind)) row.fail("kinds", "'" + kind + "' is not the kind of any category");
+    for (const auto* column : {"also", "except"}) {
+      for (const auto& word : row.list(column))
+        if (!kinds.empty() && !names_any_category(word, all))
+          row.fail(column, "no simulator has a category that is called '" + word + "'");
+    }
     if (!row.sound()) continue;
     for (auto& simulator : all)
       for (const auto& category : simulator.categories)

@@ -62,20 +62,23 @@ std::vector<std::string> verbs() {
 }
 
 constexpr std::size_t kMostSuggested = 4;
+constexpr std::size_t kShortestEnding = 3;  // letters
 
-/// The categories that people call so, else those whose names have the word in them, else the one of the most similar
-/// name. Sorted; at most kMostSuggested.
+/// The categories that people call so, else those whose names have the word in them, else those whose names the word
+/// ends with ("notebook": book), else the one of the most similar name. Sorted; at most kMostSuggested.
 std::vector<std::string> suggested(const std::string& name, const Knowledge& knowledge) {
   const std::string asked = normal_word(name);
-  std::vector<std::string> called, containing, names;
+  std::vector<std::string> called, containing, ending, names;
   for (const Alias& alias : knowledge.aliases())
     if (alias.kind == AliasKind::Synonym && normal_word(alias.text) == asked) called.push_back(alias.category);
   for (const auto& category : knowledge.categories()) {
     names.push_back(category.name);
     if (("_" + normal_word(category.display) + "_").find("_" + asked + "_") != std::string::npos)
       containing.push_back(category.name);
+    const std::string own = normal_word(category.display);
+    if (own.size() >= kShortestEnding && asked.ends_with(own)) ending.push_back(category.name);
   }
-  auto& found = called.empty() ? containing : called;
+  auto& found = !called.empty() ? called : !containing.empty() ? containing : ending;
   sort_unique(found);
   if (found.size() > kMostSuggested) found.resize(kMostSuggested);
   if (!found.empty()) return found;

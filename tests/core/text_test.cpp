@@ -36,6 +36,8 @@ TEST(NearestName, FindsAMisspeltNameAndNothingFarAway) {
   EXPECT_EQ(nearest_name("opn", names), "open");
   EXPECT_EQ(nearest_name("OPEN", names), "open");
   EXPECT_EQ(nearest_name("poweron", names), "power_on");
+  EXPECT_EQ(nearest_name("opne", names), "open");
+  EXPECT_EQ(nearest_name("mgu", {"bat", "mug"}), "mug");
   EXPECT_EQ(nearest_name("elephant", names), "");
   EXPECT_EQ(nearest_name("x", {}), "");
   EXPECT_EQ(nearest_name("cat", {"bat", "rat"}), "bat");  // a tie goes to the first

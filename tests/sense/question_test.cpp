@@ -37,6 +37,8 @@ TEST(Question, ThenIsAboutOneThing) {
 
 TEST(Question, UnknownWordsGetTheNearest) {
   EXPECT_THAT(goal_of("place Mugg on CounterTop"), HasSubstr("did you mean \"Mug\""));
+  EXPECT_THAT(goal_of("place Mgu on CounterTop"), HasSubstr("did you mean \"Mug\""));
+  EXPECT_THAT(goal_of("place notebook on CounterTop"), HasSubstr("did you mean \"Book\""));
   EXPECT_THAT(goal_of("hoat Potato"), HasSubstr("did you mean \"heat\""));
   EXPECT_THAT(goal_of("place Mug CounterTop"), HasSubstr("expected one of"));
   EXPECT_THAT(goal_of("place Mug on couch"), HasSubstr("did you mean \"Sofa\""));  // people call it so
