@@ -30,6 +30,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The episodes of a task come one after the other, so that few tasks are needed at a time; homes come again.
+constexpr TaskSource::Kept kKeptTasks{.homes = 192, .tasks = 32};
+
 /// All that a run is made of.
 struct EvaluationJob {
   EvaluateRequest request;
@@ -78,7 +81,7 @@ Result<EvaluationSetup> setup_of(const EvaluateChoice& choice, const EvaluateReq
 Result<EvaluationJob> make_job(const EvaluateChoice& choice, const CommandLine& program) {
   auto request = read_evaluate_options(choice, program);
   if (!request) return request.error();
-  auto reading = served_tasks({choice.folder, false, "", ""}, program);
+  auto reading = served_tasks({choice.folder, false, "", "", kKeptTasks}, program);
   if (!reading.errors.empty()) return reading.errors.front();
   const bool demonstrated = request->built_in && (request->built_in->kind == BuiltInPolicy::Kind::Replay ||
                                                   request->built_in->kind == BuiltInPolicy::Kind::Noisy);

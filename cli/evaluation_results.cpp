@@ -56,7 +56,7 @@ Exit validate_evaluation(const std::filesystem::path& folder, const std::filesys
   const auto frozen = FrozenBenchmarks::read(program.folders.benchmarks());
   if (!frozen) return refuse(frozen.error());
   const std::string version = frozen->name_of(*digest);
-  const auto reading = served_tasks({dataset, false, "", ""}, program);
+  const auto reading = served_tasks({dataset, false, "", "", {}}, program);
   if (!reading.errors.empty()) return refuse(reading.errors);
   const auto judging = judging_data(*reading.tasks.stored, program);
   if (!judging) return refuse(judging.error());

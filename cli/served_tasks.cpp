@@ -48,7 +48,7 @@ TasksReading served_tasks(const TaskChoice& choice, const CommandLine& program) 
   if (!reading.errors.empty()) return reading;
   const auto resources = std::make_shared<const Resources>(std::move(loaded.resources));
   if (!choice.folder.empty()) {
-    auto source = TaskSource::open(choice.folder, simulator_data(resources));
+    auto source = TaskSource::open(choice.folder, simulator_data(resources), choice.kept);
     if (!source) reading.errors.push_back(source.error());
     if (source) reading.tasks.stored = std::move(*source);
   }

@@ -5,6 +5,7 @@
 
 #include "cli/commands.h"
 #include "core/result.h"
+#include "environment/task_source.h"
 #include "serve/protocol.h"
 
 namespace unietp {
@@ -16,6 +17,7 @@ struct TaskChoice {
   std::filesystem::path folder;  // a data set; empty: none
   bool procedural = false;
   std::string simulators, splits;  // of new tasks; "": all
+  TaskSource::Kept kept = {};      // of a data set, for reuse
 };
 
 /// Adds `--procedural`, `--simulators` and `--splits`.

@@ -183,10 +183,10 @@ TEST_F(ForgedRun, IsNotCompared) {
     line[field] = forged(line[field]);
     lines.front() = line.dump();
     write("scores.jsonl", join(lines, "\n"));
-    refused("scores.jsonl:1: its " + field + " is not that of the episode");
+    refused("its " + field + " is not that of the episode");
   }
   write("scores.jsonl", scores.substr(scores.find('\n') + 1));
-  refused("scores.jsonl:1: its task is not that of the episode");
+  refused("its task is not that of the episode");
   write("scores.jsonl", scores + lines[1] + "\n");
   refused("has more lines than episodes.jsonl");
   write("scores.jsonl", scores);
