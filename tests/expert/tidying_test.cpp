@@ -102,7 +102,9 @@ TEST_P(Tidying, WhatWasTurnedOnIsTurnedOffAgain) {
   const auto off = std::find_if(steps.begin(), steps.end(),
                                 [](const auto& step) { return step.action.type == ActionType::TurnOff; });
   EXPECT_EQ(off != steps.end(), GetParam() != Mode::M1) << "M1 has an action that does it all";
-  if (off != steps.end()) EXPECT_TRUE(off->tidying && !off->search);
+  if (off != steps.end()) {
+    EXPECT_TRUE(off->tidying && !off->search);
+  }
   EXPECT_THAT(needless_steps(wanted, start, demonstration, knowledge, profile), IsEmpty());
 }
 
