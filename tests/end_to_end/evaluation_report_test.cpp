@@ -100,6 +100,57 @@ TEST_F(EvaluationReport, ShowsWhatWasSeenWhereItHasPictures) {
   EXPECT_GT(browser.evaluate("document.querySelector('[data-part=picture] img').naturalWidth").get<int>(), 100);
 }
 
+TEST_F(EvaluationReport, ShowsWhatWasThoughtDoneAndTold) {
+  ASSERT_TRUE(write_file(folder_.path() / "agent.py", R"(import json, sys
+for line in sys.stdin:
+    call = json.loads(line)
+    begins = call['method'] == 'begin'
+    reach = {'action': 'pick_up', 'args': [{'bbox': [0, 0, 1, 1]}]}
+    result = {'action': reach if begins else 'stop', 'thinking': 'It may be in the corner.' if begins else ''}
+    print(json.dumps({'jsonrpc': '2.0', 'id': call['id'], 'result': result}), flush=True)
+)"));
+  const Ended made =
+      run_program({"evaluate", data_set_in_all_modes().string(), "--policy", "python3 " + folder_.at("agent.py"),
+                   "--modes", "M3", "--limit", "1", "--out", folder_.at("thinker")});
+  ASSERT_EQ(made.code, 0) << made.err;
+  Browser browser(folder_.path());
+  browser.open(folder_.path() / "thinker" / "report.html");
+  browser.until("!document.querySelector('#viewer').hidden && document.querySelector('[data-part=picture] img')");
+  EXPECT_EQ(text(browser, "[data-part=thinking]"), "It may be in the corner.");
+  EXPECT_THAT(text(browser, "[data-part=done] li"), HasSubstr("pick_up"));
+  EXPECT_EQ(browser.evaluate("document.querySelectorAll('[data-part=picture] rect.named').length"), 1);
+  EXPECT_GT(browser.evaluate("document.querySelectorAll('[data-part=picture] rect').length"), 1) << "what is in view";
+  const std::string why = text(browser, "[data-part=done] .feedback");
+  EXPECT_GT(why.size(), 10U);
+  click(browser, "[data-part=next]");
+  EXPECT_THAT(text(browser, "[data-part=told]"), HasSubstr(why.substr(why.find(' ') + 1))) << "before the next reply";
+  EXPECT_EQ(text(browser, "[data-part=thinking]"), "–");
+  EXPECT_THAT(browser.complaints, IsEmpty());
+}
+
+TEST_F(EvaluationReport, ShowsThePartsOfTheGoalTurningTrue) {
+  ASSERT_EQ(run_program({"evaluate", data_set_in_all_modes().string(), "--policy", "replay", "--modes", "M1", "--out",
+                         folder_.at("replay")})
+                .code,
+            0);
+  Browser browser(folder_.path());
+  browser.open(folder_.path() / "replay" / "report.html");
+  browser.until("!document.querySelector('#viewer').hidden");
+  const auto count = [&](const std::string& selector) {
+    return browser.evaluate("document.querySelectorAll('[data-part=parts] " + selector + "').length").get<int>();
+  };
+  const int parts = count("li"), at_first = count("li.met");
+  EXPECT_GT(parts, 0);
+  int at_last = at_first;
+  while (!browser.evaluate("document.querySelector('[data-part=next]').disabled").get<bool>()) {
+    click(browser, "[data-part=next]");
+    at_last = count("li.met");
+  }
+  EXPECT_LT(at_first, parts);
+  EXPECT_EQ(at_last, parts);
+  EXPECT_THAT(browser.complaints, IsEmpty());
+}
+
 TEST_F(EvaluationReport, SaysSoWhenItsEpisodesAreMissing) {
   fs::remove_all(run() / "report");
   Browser browser(folder_.path());
