@@ -8,6 +8,7 @@
 #include "core/files.h"
 #include "data_set.h"
 #include "evaluation/episode_log.h"
+#include "evaluation/episode_record.h"
 #include "schema_checker.h"
 #include "tests/llm/server.h"
 
@@ -53,6 +54,26 @@ std::vector<Json> bodies(ChatServer& server) {
   std::vector<Json> all;
   for (const Received& one : server.received()) all.push_back(Json::parse(one.body));
   return all;
+}
+
+TEST(EvaluateTalk, ALongReplyIsWholeInTheLogAndCutInTheEpisode) {
+  const ScratchFolder scratch;
+  const std::string thought(3'000'000, 't'), said = std::string(40'000, 'x') + kStop;
+  ChatServer server([&](const Received& request) {
+    return request.number == 0 ? completion("<think>" + thought + "</think>" + said) : completion(kStop);
+  });
+  const Ended ended = evaluate(server.url, scratch.at("run"), {});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const auto logged = json_lines(fs::path(scratch.at("run")) / kEpisodeLog);
+  ASSERT_FALSE(logged.empty());
+  EXPECT_EQ(logged.front().at("reply"), said);
+  EXPECT_EQ(logged.front().at("thinking"), thought);
+  const auto step = json_lines(fs::path(scratch.at("run")) / kEpisodesFile).front().at("steps").front();
+  const auto reply = step.at("reply").get<std::string>(), thinking = step.at("thinking").get<std::string>();
+  EXPECT_LT(reply.size(), 33'000U);
+  EXPECT_LE(thinking.size(), 2U << 20);
+  EXPECT_EQ(reply, said.substr(0, reply.size()));
+  EXPECT_EQ(thinking, thought.substr(0, thinking.size()));
 }
 
 TEST(EvaluateTalk, StructuredRepliesAreAskedForByASchemaThatTheyKeep) {
