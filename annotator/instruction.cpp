@@ -118,6 +118,15 @@ class TextChecker {
     return found;
   }
 
+  /// What a text says that can be read, but not as the goal; "" for any other.
+  std::string misreading(const std::string& text) const {
+    const auto read = readings_of(text, lexicon_);
+    if (!read || std::any_of(read->begin(), read->end(), [&](const Reading& one) { return matches_goal(one.goal); }))
+      return "";
+    return "the text asks for " + to_text(normal_form(read->front().goal)) + ", the goal is " +
+           to_text(normal_form(specification_.goal));
+  }
+
   Result<Formula> goal_of(const std::string& text) const {
     auto read = readings(text);
     if (!read) return read.error();
@@ -416,6 +425,12 @@ Result<Formula> parse_instruction(std::string_view text, const Knowledge& knowle
 Result<Formula> goal_of_text(const std::string& text, const Specification& specification, const Knowledge& knowledge,
                              const NounTable& nouns, const Scene& home) {
   return TextChecker(specification, knowledge, nouns, &home).goal_of(text);
+}
+
+std::string misreading(const std::string& text, const Specification& specification, const Knowledge& knowledge,
+                       const NounTable& nouns, const Scene* home) {
+  const auto narrowed = narrowed_for(specification, knowledge, nouns);
+  return TextChecker(specification, knowledge, narrowed ? *narrowed : nouns, home).misreading(text);
 }
 
 std::vector<std::string> check_instruction(const std::string& text, const Specification& specification,

@@ -55,6 +55,10 @@ Result<Formula> parse_instruction(std::string_view text, const Knowledge& knowle
 std::vector<std::string> check_instruction(const std::string& text, const Specification& specification,
                                            const Knowledge& knowledge, const NounTable& nouns,
                                            const Scene* home = nullptr);
+/// What a text of another writer asks for where it is in the grammar's English and no reading of it is the goal; "" for
+/// all others, of which nothing is known. Parameters as above.
+std::string misreading(const std::string& text, const Specification& specification, const Knowledge& knowledge,
+                       const NounTable& nouns, const Scene* home);
 /// The one goal that a text means in the home. Errors: Parse for what is no text of the grammar's English, that can be
 /// read in several ways there or in none, and whose "it" is not what was named last.
 Result<Formula> goal_of_text(const std::string& text, const Specification& specification, const Knowledge& knowledge,

@@ -140,6 +140,8 @@ class Rounds {
     auto wrong = form_faults(text, specification);
     const auto said = saying_faults(text, specification, draft.nouns());
     wrong.insert(wrong.end(), said.begin(), said.end());
+    auto other = misreading(text, specification, *draft.task.knowledge, *draft.task.nouns, draft.task.home.get());
+    if (!other.empty()) wrong.push_back(std::move(other));
     const auto slips = spelling_->faults(text, draft.nouns());
     wrong.insert(wrong.end(), slips.begin(), slips.end());
     auto style = style_fault(text, specification.style, specification.goal, draft.task.categories, draft.nouns());

@@ -47,6 +47,10 @@ std::vector<Problem> check_text(const StatedGoal& stated, const Backend& backend
   auto meaning = by_grammar || writer == TextWriter::Person
                      ? check_instruction(stated.text, specification, backend.knowledge, all, stated.home)
                      : saying_faults(stated.text, specification, nouns);
+  if (writer == TextWriter::Model) {
+    auto other = misreading(stated.text, specification, backend.knowledge, all, stated.home);
+    if (!other.empty()) meaning.push_back(std::move(other));
+  }
   std::erase_if(meaning,
                 [&](const std::string& fault) { return std::find(form.begin(), form.end(), fault) != form.end(); });
   found(ProblemKind::TextMeaning, meaning);

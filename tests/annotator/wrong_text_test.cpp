@@ -137,6 +137,52 @@ TEST_F(WrongTexts, AreCaughtAndRightOnesAreNot) {
   EXPECT_LE(right.by_any_llm_check * 100, right.texts);
 }
 
+/// The words of the goal, said of one another in another way, or with the opposite of one of them.
+TEST_F(WrongTexts, WithTheRightWordsInTheWrongPlacesAreReadOrReported) {
+  struct Wrong {
+    Simulator simulator;
+    const char *goal, *text;
+  };
+  const std::vector<Wrong> wrong{
+      {Simulator::Virtualhome, "(exists (?a - coffeemaker) (at-end (power_off ?a)))", "Turn on the coffee machine."},
+      {Simulator::Virtualhome,
+       "(exists (?a - salmon) (exists (?b - oventray) (exists (?c - stove) (at-end (and (on ?a ?b) (inside ?b ?c))))))",
+       "Put the baking sheet on the salmon and put the salmon into the oven."},
+      {Simulator::Virtualhome,
+       "(exists (?a - salmon) (exists (?b - oventray) (exists (?c - stove) (at-end (and (on ?a ?b) (inside ?b ?c))))))",
+       "Put the salmon on the baking sheet and take the baking sheet out of the oven."},
+      {Simulator::Habitat, "(exists (?a - storage_box) (exists (?r - bedroom) (at-end (on_floor ?a ?r))))",
+       "Put the bedroom floor on the storage box."},
+      {Simulator::Habitat,
+       "(exists (?c - cabinet) (exists (?a - cake_stand) (exists (?b - cup) (at-end (and (inside ?a ?c) (inside ?b "
+       "?c))))))",
+       "Take the cake stand and the cup from the cabinet."},
+      {Simulator::Behavior, "(exists (?a - coffee_table) (at-end (not (covered ?a dust))))",
+       "Wipe the coffee table off the dust."},
+      {Simulator::Behavior,
+       "(exists (?a - half_pizza) (exists (?b - half_fruitcake) (exists (?c - china) (at-end (and (hot ?a) (cool ?b) "
+       "(on ?a ?c) (on ?b ?c))))))",
+       "Chill the half pizza, heat the half fruitcake and put both on the china plate."},
+      {Simulator::Behavior,
+       "(exists (?a - half_pizza) (exists (?b - half_fruitcake) (exists (?c - china) (at-end (and (hot ?a) (cool ?b) "
+       "(on ?a ?c) (on ?b ?c))))))",
+       "Heat the half pizza, chill the half fruitcake and put both next to the china plate."},
+      {Simulator::Ai2thor,
+       "(exists (?a - Cup) (exists (?b - (CounterTop :where (exists (?p - kitchen) (in_room ?b ?p)))) (at-end (and "
+       "(filled ?a wine) (on ?a ?b)))))",
+       "Pour wine into the kitchen counter and put it on a cup."},
+      {Simulator::Ai2thor, "(exists (?a - Cup) (at-end (filled ?a wine)))", "Can you pour the cup into the wine?"}};
+  for (const Wrong& one : wrong) {
+    use(one.simulator);
+    Specification asked;
+    asked.goal = *parse_formula("goal", one.goal, FormulaUse::Goal);
+    asked.simulator = one.simulator;
+    EXPECT_FALSE(saying_faults(one.text, asked, *nouns_).empty() &&
+                 misreading(one.text, asked, *knowledge_, *nouns_, nullptr).empty())
+        << one.text;
+  }
+}
+
 /// Right texts of the other styles pass what a model's text is held to without its second call.
 TEST_F(WrongTexts, RightOnesOfEveryStyleAreNotRefusedByTheirWords) {
   std::map<std::string, Tally> tallies;
@@ -151,6 +197,7 @@ TEST_F(WrongTexts, RightOnesOfEveryStyleAreNotRefusedByTheirWords) {
     const auto faults = saying_faults(text->text, styled, nouns);
     ++tallies[style].texts;
     tallies[style].by_words += faults.empty() ? 0 : 1;
+    EXPECT_EQ(misreading(text->text, styled, *knowledge_, *nouns_, nullptr), "") << text->text;
     for (const std::string& fault : faults) std::printf("%s: \"%s\": %s\n", style, text->text.c_str(), fault.c_str());
   };
   std::uint64_t number = 0;
