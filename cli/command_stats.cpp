@@ -13,7 +13,11 @@
 #include "report/figure_table.h"
 #include "report/word_figures.h"
 #include "resources/resources.h"
+#include "scene/comparisons.h"
+#include "validator/carefulness.h"
 #include "validator/referents.h"
+#include "validator/replay.h"
+#include "validator/trace_maker.h"
 
 namespace unietp {
 namespace {
@@ -21,7 +25,7 @@ namespace {
 struct StatsOptions {
   std::vector<std::filesystem::path> folders;
   int threads = 1, rows = 25;
-  bool json = false, words = false, usual = false, referents = false;
+  bool json = false, words = false, usual = false, referents = false, careful = false;
 };
 
 /// The figures of how the instructions ask for things, beside those of people.
@@ -76,8 +80,64 @@ Exit referent_stats(const StatsOptions& options, const CommandLine& program) {
     for (const auto& [kind, count] : counts->by_kind) std::printf("    %s: %d\n", kind.c_str(), count);
     std::printf(
         "  beyond a wall: %d\n  phrases that mean another thing on foot: %d\n"
-        "  without something that differs in just what the phrase says: %d\n",
-        counts->beyond_wall, counts->rivals, counts->without_alternative);
+        "  without something that differs in just what the phrase says: %d\n"
+        "  told by a relation of a kind that none of the others has to anything: %d\n",
+        counts->beyond_wall, counts->rivals, counts->without_alternative, counts->without_relation);
+  }
+  return Exit::Ok;
+}
+
+/// What the demonstrations of a task do that a careful person would not.
+using CarelessInModes = std::map<Mode, Carelessness>;
+
+Result<CarelessInModes> careless_in_modes(const FinishedTask& task, const Backend& backend) {
+  CarelessInModes all;
+  const Formula& goal = task.record.goal_tree;
+  const auto world = World::create(task.start, backend.knowledge, backend.profile);
+  if (!world) return world.error();
+  const TraceMaker traces(task.start, reads_comparisons(goal), reads_later_comparisons(goal));
+  for (const auto& [mode, shown] : task.shown)
+    all[mode] = carelessness_of(goal, *world, traces, replay(*world, mode, shown, task.record.id).plan);
+  return all;
+}
+
+/// Prints what is careless, task by task, then how much of it there is.
+Exit careful_stats(const StatsOptions& options, const CommandLine& program) {
+  const auto known = load_backends(program.folders);
+  if (!known.errors.empty()) return refuse(known.errors);
+  for (const auto& folder : options.folders) {
+    const auto set = read_finished_set(folder);
+    if (!set) return refuse(set.error());
+    auto reader = DatasetReader::open(folder, {.modes = set->modes, .starts = true});
+    if (!reader) return refuse(reader.error());
+    using OfTask = std::pair<std::string, CarelessInModes>;
+    std::map<Mode, std::map<CarelessKind, int>> counts;
+    std::map<Mode, int> demonstrations;
+    std::printf("%s\n", set->name.c_str());
+    const auto done = for_each_task<OfTask>(
+        std::move(*reader), options.threads,
+        [&](const FinishedTask& task) -> Result<OfTask> {
+          auto careless = careless_in_modes(task, known.backends[static_cast<std::size_t>(task.start.simulator)]);
+          if (!careless) return careless.error();
+          return OfTask{task.record.id, std::move(*careless)};
+        },
+        [&](OfTask&& one) -> Result<Done> {
+          for (const auto& [mode, careless] : one.second) {
+            ++demonstrations[mode];
+            for (const auto& [kind, ids] : careless) {
+              ++counts[mode][kind];
+              std::printf("  %s %s %s: %s\n", one.first.c_str(), name_of(mode).data(), name_of(kind).data(),
+                          join(ids, " ").c_str());
+            }
+          }
+          return Done{};
+        });
+    if (!done) return refuse(done.error());
+    for (const auto& [mode, all] : demonstrations) {
+      std::printf("  %s: of %d demonstrations\n", name_of(mode).data(), all);
+      for (const CarelessKind kind : kCarelessKinds)
+        std::printf("    with %s: %d\n", name_of(kind).data(), counts[mode][kind]);
+    }
   }
   return Exit::Ok;
 }
@@ -129,6 +189,7 @@ Exit stats(const StatsOptions& options, const CommandLine& program) {
   if (options.words) return word_stats(options, program);
   if (options.usual) return usual_stats(options, program);
   if (options.referents) return referent_stats(options, program);
+  if (options.careful) return careful_stats(options, program);
   const auto known = load_backends(program.folders);
   if (!known.errors.empty()) return refuse(known.errors);
   std::vector<const Knowledge*> knowledge;
@@ -161,6 +222,7 @@ void add_stats_command(CommandParser& app, CommandLine& program) {
        {"unietp stats out/mine --words", "how its instructions ask, beside how people do"},
        {"unietp stats out/mine --referents",
         "what phrases such as \"the mug nearest to the sink\" mean, and what is amiss"},
+       {"unietp stats out/mine --careful", "what demonstrations do that a careful person would not"},
        {"unietp stats out/training --usual", "which categories could be in a goal that makes sense, but are in none"},
        {"unietp stats out/mine --json > statistics.json", ""},
        {"unietp stats out/training --usual --json > usual.json", "with --usual, those figures as JSON"}});
@@ -173,7 +235,11 @@ void add_stats_command(CommandParser& app, CommandLine& program) {
   auto* const referents = command->add_flag(
       "--referents", options->referents,
       "Print how many things referring phrases mean, by what they say, and how many cannot be told so");
-  command->add_flag("--json", options->json, "Print JSON with all rows")->excludes(referents);
+  auto* const careful = command->add_flag("--careful", options->careful,
+                                          "Print which demonstrations park things, move what the goal does not speak "
+                                          "of, use a device in another room though "
+                                          "one is near, or leave open what they opened");
+  command->add_flag("--json", options->json, "Print JSON with all rows")->excludes(referents)->excludes(careful);
   command->callback([options, &program] { program.exit = stats(*options, program); });
 }
 

@@ -10,6 +10,8 @@
 #include "expert/least_steps.h"
 #include "expert/methods.h"
 #include "expert/ordering.h"
+#include "expert/parking.h"
+#include "expert/plan_cost.h"
 #include "expert/tidying.h"
 #include "logic/monitor.h"
 
@@ -24,12 +26,15 @@ constexpr double kFailedLiteral = 100;  // surcharges that a failure teaches, in
 constexpr double kFailedThing = 30;
 constexpr int kTriesPerLiteral = 3;  // a truth that later steps keep undoing is given up after so many
 
+constexpr int kCompared = 6;        // further choices that are carried out once one works, the most promising first
+constexpr double kMostDearer = 6;   // none that seems to take so many actions more than the one that works
 constexpr int kMostActions = 3;     // times the steps of a plan: what fails after so many is given up
 constexpr int kMostOutOfSteps = 3;  // attempts; what asks for so much is not met by another order
 
 struct Choice {
   Alternative alternative;
   OrderPreferences preferences;
+  double cost = 0;  // estimated, in actions
 };
 
 /// The cheapest choice that was not tried yet.
@@ -53,7 +58,7 @@ std::optional<Choice> next_choice(const std::vector<Alternative>& alternatives, 
   }
   if (best == nullptr) return std::nullopt;
   tried.insert(best_name);
-  return Choice{*best, kOrderPreferences[best_preferences]};
+  return Choice{*best, kOrderPreferences[best_preferences], best_cost};
 }
 
 /// Brings all the literals about so that they hold together; gives the one that failed.
@@ -104,6 +109,13 @@ std::string missing_after(ExecutionTree& executions, const std::vector<Action>& 
   return monitor.missing();
 }
 
+/// Of a plan, what it needs; nullopt when it misses the goal.
+std::optional<std::vector<Action>> needed_of(ExecutionTree& executions, const Attempt& attempt,
+                                             std::vector<Action> actions) {
+  // Only an attempt that had to change its mind leaves detours longer than a step.
+  return without_needless(executions, rules_of(Mode::M1), std::move(actions), attempt.failures() == 0 ? 1 : 6);
+}
+
 /// Much was still to be done: another order saves a step here and there.
 bool was_far(const Attempt& attempt) {
   const auto& end = attempt.alternative().end;
@@ -112,10 +124,54 @@ bool was_far(const Attempt& attempt) {
   return 4 * open > std::ssize(end);
 }
 
+/// The choices that are left over once a plan works, compared with it.
+class CheapestPlan {
+ public:
+  CheapestPlan(ExecutionTree& executions, const Situation& situation, const ExecutedPrefix& beginning,
+               const ExpertOptions& options, bool clears, std::vector<Action> plan)
+      : executions_(executions),
+        situation_(situation),
+        beginning_(beginning),
+        options_(options),
+        clears_(clears),
+        best_(std::move(plan)),
+        cost_(cost_of(executions, best_)) {}
+
+  /// Carries a choice out as far as it can still be cheaper, and keeps it if it is.
+  void add(const Choice& choice) {
+    ExpertOptions no_longer = options_;
+    no_longer.max_steps = std::min(options_.max_steps, cost_.steps);
+    Attempt attempt(executions_, situation_, choice.alternative, no_longer);
+    for (const Action& action : beginning_.done) attempt.act(action);
+    if (attempt.actions().size() != beginning_.done.size()) return;
+    if (attempt.actions().size() + least_steps(attempt) + 1 > static_cast<std::size_t>(no_longer.max_steps)) return;
+    Methods methods(attempt, categories_of(executions_.goal()), beginning_.avoided, clears_);
+    if (carry_out(attempt, methods, choice.preferences)) return;
+    std::vector<Action> actions = attempt.actions();
+    actions.push_back(Action{ActionType::Stop, {}});
+    if (cost_of(executions_, actions) >= cost_) return;
+    auto needed = beginning_.done.empty() ? needed_of(executions_, attempt, actions) : std::optional(actions);
+    if (!needed) return;
+    best_ = std::move(*needed);
+    cost_ = cost_of(executions_, best_);
+  }
+
+  const std::vector<Action>& best() const { return best_; }
+
+ private:
+  ExecutionTree& executions_;
+  const Situation& situation_;
+  const ExecutedPrefix& beginning_;
+  const ExpertOptions& options_;
+  bool clears_;
+  std::vector<Action> best_;
+  PlanCost cost_;
+};
+
 /// `lacked_room` becomes true when something failed for want of it.
 std::variant<std::vector<Action>, Rejection> try_plans(ExecutionTree& executions, const Situation& situation,
                                                        const ExecutedPrefix& beginning, const ExpertOptions& options,
-                                                       bool clears, bool& lacked_room) {
+                                                       bool clears, int compared, bool& lacked_room) {
   const Formula& goal = executions.goal();
   CostPenalties experience;
   for (const std::string& id : beginning.avoided) shun(experience, situation, id);
@@ -124,7 +180,8 @@ std::variant<std::vector<Action>, Rejection> try_plans(ExecutionTree& executions
   int out_of_steps = 0, actions_done = 0;
   for (int plan = 0; plan < options.max_plans; ++plan) {
     if (out_of_steps >= kMostOutOfSteps || actions_done >= kMostActions * options.max_steps) break;
-    const auto choice = next_choice(read_goal(goal, situation, experience), situation, tried);
+    const auto alternatives = read_goal(goal, situation, experience);
+    const auto choice = next_choice(alternatives, situation, tried);
     if (!choice) break;
     Attempt attempt(executions, situation, choice->alternative, options);
     for (const Action& action : beginning.done) attempt.act(action);
@@ -156,28 +213,40 @@ std::variant<std::vector<Action>, Rejection> try_plans(ExecutionTree& executions
     }
     std::vector<Action> actions = attempt.actions();
     actions.push_back(Action{ActionType::Stop, {}});
-    if (!beginning.done.empty())
-      return std::vector(actions.begin() + static_cast<std::ptrdiff_t>(beginning.done.size()), actions.end());
-    // Only an attempt that had to change its mind leaves detours longer than a step.
-    auto needed = without_needless(executions, rules_of(Mode::M1), actions, attempt.failures() == 0 ? 1 : 6);
-    if (needed) return std::move(*needed);
+    auto needed = beginning.done.empty() ? needed_of(executions, attempt, actions) : std::optional(actions);
+    if (needed) {
+      CheapestPlan cheapest(executions, situation, beginning, options, clears, std::move(*needed));
+      for (int i = 0; i < compared; ++i) {
+        const auto other = next_choice(alternatives, situation, tried);
+        if (!other || other->cost > choice->cost + kMostDearer) break;
+        cheapest.add(*other);
+      }
+      const auto best = without_parking(executions, cheapest.best(), beginning.done.size());
+      return std::vector(best.begin() + static_cast<std::ptrdiff_t>(beginning.done.size()), best.end());
+    }
     last = {RejectionReason::GoalNotMet, missing_after(executions, actions)};
     for (const Literal& literal : choice->alternative.end) experience.literals.emplace_back(literal, 1.0);
   }
   return last;
 }
 
+/// The cheapest of the first plan that works and so many others.
+std::variant<std::vector<Action>, Rejection> find_cheapest(ExecutionTree& executions, const ExecutedPrefix& beginning,
+                                                           const ExpertOptions& options, int compared) {
+  const Situation situation = look_around(executions, options.mode);
+  bool lacked_room = false;
+  auto plan = try_plans(executions, situation, beginning, options, beginning.clears, compared, lacked_room);
+  // What is in the way is carried away only where no other witness, place or tool will do.
+  if (!beginning.clears && lacked_room && std::holds_alternative<Rejection>(plan))
+    plan = try_plans(executions, situation, beginning, options, true, compared, lacked_room);
+  return plan;
+}
+
 }  // namespace
 
 std::variant<std::vector<Action>, Rejection> find_plan_from(ExecutionTree& executions, const ExecutedPrefix& beginning,
                                                             const ExpertOptions& options) {
-  const Situation situation = look_around(executions, options.mode);
-  bool lacked_room = false;
-  auto plan = try_plans(executions, situation, beginning, options, beginning.clears, lacked_room);
-  // What is in the way is carried away only where no other witness, place or tool will do.
-  if (!beginning.clears && lacked_room && std::holds_alternative<Rejection>(plan))
-    plan = try_plans(executions, situation, beginning, options, true, lacked_room);
-  return plan;
+  return find_cheapest(executions, beginning, options, 0);
 }
 
 std::variant<std::vector<Action>, Rejection> find_plan(ExecutionTree& executions, const ExpertOptions& options) {
@@ -185,7 +254,7 @@ std::variant<std::vector<Action>, Rejection> find_plan(ExecutionTree& executions
 }
 
 std::variant<Demonstration, Rejection> demonstrate(ExecutionTree& executions, const ExpertOptions& options) {
-  auto plan = find_plan(executions, options);
+  auto plan = find_cheapest(executions, {}, options, kCompared);
   if (auto* why = std::get_if<Rejection>(&plan)) return std::move(*why);
   Demonstration demonstration = record(
       executions, Mode::M1, tidied(executions, rules_of(Mode::M1), std::get<std::vector<Action>>(std::move(plan))));

@@ -42,18 +42,26 @@ bool has_always(const Formula& formula) {
   return formula.op == Op::Always || std::any_of(formula.children.begin(), formula.children.end(), has_always);
 }
 
-/// "Exactly n", with n not 0. What is compared with another number is none, nor what a phrase tells from others: of the
-/// red ones there are seldom more than are asked for.
+/// "Exactly n", with n not 0.
 bool is_exactly_some(const Formula& formula) {
-  return formula.op == Op::Count && formula.comparison == Comparison::Equal && formula.number > 0 &&
-         formula.children.size() == 1 && formula.domain.where.empty();
+  return formula.op == Op::Count && formula.comparison == Comparison::Equal && formula.number > 0;
 }
 
 /// "At most n", with some allowed.
 bool limits_from_above(const Formula& formula) {
-  return formula.op == Op::Count && formula.children.size() == 1 &&
-         ((formula.comparison == Comparison::AtMost && formula.number > 0) ||
-          (formula.comparison == Comparison::Less && formula.number > 1));
+  return formula.op == Op::Count && ((formula.comparison == Comparison::AtMost && formula.number > 0) ||
+                                     (formula.comparison == Comparison::Less && formula.number > 1));
+}
+
+/// "As many of these as of those".
+bool is_as_many(const Formula& formula) {
+  return formula.op == Op::CountCompare && formula.comparison == Comparison::Equal;
+}
+
+/// Counts what a phrase tells from others: "exactly two of the red ones".
+bool counts_some_of_a_kind(const Formula& formula) {
+  return ((is_exactly_some(formula) || limits_from_above(formula)) && !formula.domain.where.empty()) ||
+         std::any_of(formula.children.begin(), formula.children.end(), counts_some_of_a_kind);
 }
 
 /// The variable of the whole of which a variable is a slice, by a conjunct of the goal; "" when there is none.
@@ -123,7 +131,7 @@ Formula without_constraints(Formula goal) {
     default:
       break;
   }
-  if (limits_from_above(goal)) return conjunction({});
+  if (limits_from_above(goal) || is_as_many(goal)) return conjunction({});
   if (is_exactly_some(goal)) goal.comparison = Comparison::AtLeast;
   for (Formula& child : goal.children) child = without_constraints(std::move(child));
   return goal;
@@ -143,13 +151,23 @@ std::vector<Formula> with_an_order_reversed(const Formula& goal) {
 }
 
 std::vector<Formula> with_one_too_many(const Formula& goal) {
-  return with_one_changed(goal, [](const Formula& part) -> std::optional<Formula> {
-    if (!is_exactly_some(part) && !limits_from_above(part)) return std::nullopt;
-    Formula more = part;
-    if (part.comparison != Comparison::Less) ++more.number;
-    if (part.comparison != Comparison::Equal) more.comparison = Comparison::AtLeast;
-    return more;
-  });
+  const auto with_more = [&goal](Comparison unequal) {
+    return with_one_changed(goal, [unequal](const Formula& part) -> std::optional<Formula> {
+      Formula more = part;
+      if (is_as_many(part)) {
+        more.comparison = unequal;
+        return more;
+      }
+      const bool counts = is_exactly_some(part) || limits_from_above(part);
+      if (!counts || unequal == Comparison::Less) return std::nullopt;
+      if (part.comparison != Comparison::Less) ++more.number;
+      if (part.comparison != Comparison::Equal) more.comparison = Comparison::AtLeast;
+      return more;
+    });
+  };
+  std::vector<Formula> all = with_more(Comparison::Greater);
+  for (Formula& one : with_more(Comparison::Less)) all.push_back(std::move(one));
+  return all;
 }
 
 std::vector<HastyReading> hasty_readings(const Formula& goal) {
@@ -157,6 +175,7 @@ std::vector<HastyReading> hasty_readings(const Formula& goal) {
   if (asked == goal) return {};
   std::vector<HastyReading> readings{{asked, false}};
   for (Formula& one : with_one_too_many(goal)) readings.push_back({std::move(one), true});
+  if (counts_some_of_a_kind(goal)) readings.push_back({without_references(asked), false});
   if (has_always(goal)) readings.push_back({without_references(asked), true});
   return readings;
 }

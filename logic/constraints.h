@@ -7,8 +7,9 @@
 namespace unietp {
 
 /// What a goal asks for without its constraints, which a hasty agent forgets: nothing has to stay as it is (`always`),
-/// nothing has to come first (`before`, `until`), of "exactly n" and "at most n" more would do. The goal itself where
-/// it has none. That what is poured out of a thing was filled in before says how it is done, and is no constraint.
+/// nothing has to come first (`before`, `until`), of "exactly n" and "at most n" more would do, and of "as many as" any
+/// number. The goal itself where it has none. That what is poured out of a thing was filled in before says how it is
+/// done, and is no constraint: to pour from another thing, that one has to be filled too, which takes longer.
 Formula without_constraints(Formula goal);
 
 /// The goal with objects named by category alone: no domain has a `:where`.
@@ -18,9 +19,10 @@ Formula without_references(Formula goal);
 /// order of text. What reaches it reaches the goal without its constraints, the second part first.
 std::vector<Formula> with_an_order_reversed(const Formula& goal);
 
-/// The goal without its constraints, but with one more than one of its "exactly n" says, or more than one of its "at
-/// most n" allows: one formula for each, in order of text. What reaches it with the same things reaches the
-/// goal without its constraints, and not the goal.
+/// The goal without its constraints, but with one more than one of its "exactly n" says, more than one of its "at
+/// most n" allows, or more of one kind than of the other where it says "as many as": one formula for each, in order of
+/// text, then with fewer of the one kind. What reaches it with the same things reaches the goal without its constraints,
+/// and not the goal.
 std::vector<Formula> with_one_too_many(const Formula& goal);
 
 /// What somebody takes a goal for who forgets a constraint.
@@ -28,8 +30,9 @@ struct HastyReading {
   Formula goal;
   bool takes_more = false;  // a plan for it may be longer than one for the goal: it does too much
 };
-/// The goal without its constraints, then with one too many; last, where something has to stay as it is, without its
-/// constraints and referring phrases (all instead of all but some). None where the goal has no constraint.
+/// The goal without its constraints, then with one too many; last, where something has to stay as it is or so many of
+/// what a phrase tells from others are counted, without its constraints and referring phrases (all instead of all but
+/// some, any two instead of two red ones). None where the goal has no constraint.
 std::vector<HastyReading> hasty_readings(const Formula& goal);
 
 }  // namespace unietp

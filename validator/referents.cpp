@@ -61,6 +61,21 @@ std::optional<Predicate> relation_to_some(const Formula& test, const std::string
   return std::nullopt;
 }
 
+/// On, in or under something is one kind of relation, beside or nearest to something another.
+bool is_of_one_kind(Predicate a, Predicate b) {
+  const auto is_beside = [](Predicate one) { return one == Predicate::NextTo || one == Predicate::Nearest; };
+  return is_beside(a) == is_beside(b);
+}
+
+/// The relation that a test says the thing has to another thing, not to a room.
+std::optional<Predicate> relation_to_a_thing(const Formula& test, const std::string& variable) {
+  if (test.op != Op::Exists || test.domain.kind != Domain::Kind::Categories) return std::nullopt;
+  for (const Predicate relation : {Predicate::On, Predicate::Inside, Predicate::Under, Predicate::NextTo}) {
+    if (test.children.front() == atom(relation, {variable, test.variable})) return relation;
+  }
+  return std::nullopt;
+}
+
 class Walker {
  public:
   Walker(const Scene& scene, const Profile& profile)
@@ -122,11 +137,29 @@ class ReferentReader {
       if (one.certain && ids_of(others, one.variable).size() <= found.means.size())
         found.idle.push_back(to_text(tests[i]));
       if (const auto relation = relation_to_some(tests[i], one.variable)) walk(tests[i], *relation, one, found);
+      const auto relation = relation_to_a_thing(tests[i], one.variable);
+      if (one.certain && relation && !another_has_one(*relation, one, found))
+        found.unrelated.push_back(to_text(tests[i]));
     }
     return found;
   }
 
  private:
+  /// Whether one that is not meant has a relation of the kind to something.
+  bool another_has_one(Predicate relation, const ReferringDomain& one, const Referents& found) const {
+    Domain all = one.domain;
+    all.where.clear();
+    const auto kind = ids_of(all, one.variable);
+    return std::any_of(kind.begin(), kind.end(), [&](const std::string& id) {
+      if (std::find(found.means.begin(), found.means.end(), id) != found.means.end()) return false;
+      return std::any_of(scene_.edges.begin(), scene_.edges.end(), [&](const Edge& edge) {
+        const bool between_things = edge.relation == Predicate::On || edge.relation == Predicate::Inside ||
+                                    edge.relation == Predicate::Under || edge.relation == Predicate::NextTo;
+        return edge.from == id && between_things && is_of_one_kind(edge.relation, relation);
+      });
+    });
+  }
+
   std::vector<std::string> ids_of(const Domain& domain, const std::string& variable) const {
     std::vector<std::string> ids;
     for (const EntityIndex one : members_of(domain, variable, start_)) ids.push_back(start_.entities[one].id);
@@ -197,6 +230,7 @@ void ReferentCounts::add(const Referents& one) {
   beyond_wall += static_cast<int>(one.beyond_wall.size());
   rivals += one.rivals.empty() ? 0 : 1;
   without_alternative += one.idle.empty() ? 0 : count;
+  without_relation += one.unrelated.empty() ? 0 : count;
 }
 
 void ReferentCounts::add(const ReferentCounts& more) {
@@ -206,6 +240,7 @@ void ReferentCounts::add(const ReferentCounts& more) {
   beyond_wall += more.beyond_wall;
   rivals += more.rivals;
   without_alternative += more.without_alternative;
+  without_relation += more.without_relation;
 }
 
 }  // namespace unietp

@@ -24,6 +24,9 @@ struct Referents {
   /// Tests without which the phrase would mean the same: nothing else passes all but this one. None of a condition ("if
   /// the dishwasher is open"), which tells from nothing.
   std::vector<std::string> idle;
+  /// Tests of a relation ("on the table", "next to the sink") for which no other thing of the category has the wrong
+  /// relation: those of which it is not true stand in no relation of that kind to anything.
+  std::vector<std::string> unrelated;
 };
 /// Of every domain of the goal that selects by facts of the start. `start`: the first state of this trace.
 std::vector<Referents> referents_of(const Formula& goal, const Scene& scene, const Trace& start,
@@ -36,6 +39,7 @@ struct ReferentCounts {
   int beyond_wall = 0;                 // referents
   int rivals = 0;                      // phrases that somebody on foot would take otherwise
   int without_alternative = 0;         // referents of phrases with a test that tells them from nothing
+  int without_relation = 0;            // referents of phrases with a relation that no alternative has to anything
   void add(const Referents& one);
   void add(const ReferentCounts& more);
 };

@@ -94,6 +94,25 @@ TEST_F(TemptingPlan, BringsOneMoreThanExactlySoMany) {
   EXPECT_TRUE(reaches("(exists (?t - SideTable) (at-end (count = 3 (?a - Mug) (on ?a ?t))))", plan));
 }
 
+TEST_F(TemptingPlan, BringsMoreOfOneKindThanThereAreOfTheOther) {
+  const std::string on_it = "(exists (?t - SideTable) (at-end (and (count >= 1 (?a - Mug) (on ?a ?t)) (count ";
+  const std::string kinds = " (number (?a - Mug) (on ?a ?t)) (number (?b - Plate) (on ?b ?t))))))";
+  const auto plan = of(on_it + "=" + kinds);
+  ASSERT_THAT(plan, Not(IsEmpty()));
+  EXPECT_GT(plan.size(), shown_.steps.size());
+  EXPECT_FALSE(reaches(on_it + "=" + kinds, plan));
+  EXPECT_TRUE(reaches(on_it + ">" + kinds, plan));
+}
+
+TEST_F(TemptingPlan, TakesAnyTwoInsteadOfTwoOfAKind) {
+  start.agent.position = {2.2, 2.9};  // at the clean mug
+  const std::string dirty = "(exists (?t - SideTable) (at-end (count = 2 (?a - (Mug :where (dirty ?a))) (on ?a ?t))))";
+  const auto plan = of(dirty);
+  expect_no_longer(plan);
+  EXPECT_FALSE(reaches(dirty, plan));
+  EXPECT_TRUE(reaches("(exists (?t - SideTable) (at-end (count = 2 (?a - Mug) (on ?a ?t))))", plan));
+}
+
 TEST_F(TemptingPlan, IsNoneWhereThereIsNoOneMore) {
   EXPECT_THAT(of("(exists (?t - SideTable) (at-end (count = 3 (?a - Mug) (on ?a ?t))))"), IsEmpty());
 }

@@ -64,9 +64,18 @@ TEST(WithoutConstraints, MoreThanAtMostSoManyWouldDo) {
             goal("(exists (?t - Table) (exists (?b - Bed) (at-end (and (count >= 2 (?a - Mug) (on ?a ?b)) (and)))))"));
   const Formula fewer = goal("(exists (?t - Table) (at-end (count < 2 (?a - Mug) (on ?a ?t))))");
   EXPECT_EQ(without_constraints(fewer), goal("(exists (?t - Table) (at-end (and)))"));
-  const Formula as_many =
-      goal("(exists (?t - Table) (at-end (count = (number (?a - Mug) (on ?a ?t)) (number (?b - Cup) (on ?b ?t)))))");
-  EXPECT_EQ(without_constraints(as_many), as_many);
+}
+
+constexpr const char* kAsMany =
+    "(exists (?t - Table) (at-end (and (count >= 2 (?a - Mug) (on ?a ?t))"
+    " (count = (number (?a - Mug) (on ?a ?t)) (number (?b - Cup) (on ?b ?t))))))";
+
+TEST(WithoutConstraints, AnyNumberWouldDoOfAsManyAs) {
+  EXPECT_EQ(without_constraints(goal(kAsMany)),
+            goal("(exists (?t - Table) (at-end (and (count >= 2 (?a - Mug) (on ?a ?t)) (and))))"));
+  const Formula more =
+      goal("(exists (?t - Table) (at-end (count > (number (?a - Mug) (on ?a ?t)) (number (?b - Cup) (on ?b ?t)))))");
+  EXPECT_EQ(without_constraints(more), more) << "what is asked for is no constraint";
 }
 
 TEST(WithOneTooMany, OneMoreThanExactlySoMany) {
@@ -83,16 +92,30 @@ TEST(WithOneTooMany, OneMoreThanExactlySoMany) {
   EXPECT_EQ(to_text(fewer.front()), "(exists (?t - Table) (at-end (count >= 2 (?a - Mug) (on ?a ?t))))");
 }
 
-TEST(HastyReadings, AreNotOfCountsOfWhatAPhraseTellsFromOthers) {
-  EXPECT_THAT(
-      hasty_readings(goal("(exists (?t - Table) (at-end (count = 2 (?a - (Mug :where (dirty ?a))) (on ?a ?t))))")),
-      IsEmpty());
+TEST(WithOneTooMany, MoreAndFewerThanOfTheOtherKind) {
+  const auto unequal = with_one_too_many(goal(kAsMany));
+  ASSERT_EQ(unequal.size(), 2U);
+  const std::string before = "(exists (?t - Table) (at-end (and (count >= 2 (?a - Mug) (on ?a ?t)) (count ";
+  const std::string after = " (number (?a - Mug) (on ?a ?t)) (number (?b - Cup) (on ?b ?t))))))";
+  EXPECT_EQ(to_text(unequal[0]), before + ">" + after);
+  EXPECT_EQ(to_text(unequal[1]), before + "<" + after);
+}
+
+TEST(HastyReadings, OfCountsOfWhatAPhraseTellsFromOthersForgetThePhrase) {
+  const auto readings =
+      hasty_readings(goal("(exists (?t - Table) (at-end (count = 2 (?a - (Mug :where (dirty ?a))) (on ?a ?t))))"));
+  ASSERT_EQ(readings.size(), 3U);
+  EXPECT_EQ(to_text(readings[1].goal),
+            "(exists (?t - Table) (at-end (count = 3 (?a - (Mug :where (dirty ?a))) (on ?a ?t))))");
+  EXPECT_EQ(to_text(readings[2].goal), "(exists (?t - Table) (at-end (count >= 2 (?a - Mug) (on ?a ?t))))");
+  EXPECT_FALSE(readings[2].takes_more) << "any two are as many as two dirty ones";
 }
 
 TEST(HastyReadings, AreOfOrdersOfWhatStaysAndOfCounts) {
   EXPECT_EQ(hasty_readings(goal(kOrdered)).size(), 1U);
   EXPECT_EQ(hasty_readings(goal(kAllBefore)).size(), 1U);
   EXPECT_EQ(hasty_readings(goal(kAtMost)).size(), 2U);
+  EXPECT_EQ(hasty_readings(goal(kAsMany)).size(), 3U);
   const auto exactly = hasty_readings(goal(kExactly));
   ASSERT_EQ(exactly.size(), 2U);
   EXPECT_FALSE(exactly[0].takes_more);

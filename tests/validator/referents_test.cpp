@@ -67,6 +67,20 @@ TEST_F(Potatoes, ATestThatTellsFromNothingIsIdle) {
   EXPECT_EQ(counts.beyond_wall, 0);
 }
 
+TEST_F(Potatoes, WhatIsToldByARelationHasOthersWithAnotherRelation) {
+  const auto on_table = [this] { return of("(exists (?t - DiningTable) (on ?p ?t))"); };
+  add(scene, house_knowledge(), "potato_1", "Potato", 2.75, 1.25, 0.751);
+  put("potato_2", 1.2, 2.4);  // on the floor: on nothing
+  const Referents alone = on_table();
+  EXPECT_THAT(alone.means, ElementsAre("potato_1"));
+  EXPECT_EQ(alone.unrelated.size(), 1U);
+  ReferentCounts counts;
+  counts.add(alone);
+  EXPECT_EQ(counts.without_relation, 1);
+  add(scene, house_knowledge(), "potato_3", "Potato", 2.3, 3.65, 0.902);  // on the counter
+  EXPECT_THAT(on_table().unrelated, IsEmpty());
+}
+
 TEST(WaysInARoom, LeadAroundFurnitureAndEndAtWalls) {
   const Scene scene = at_rest(house());
   const NavigationGrid grid(scene, house_profile());
