@@ -265,7 +265,7 @@ std::optional<std::string> ClauseWriter::worded(const Clause& clause) {
       const auto& places = clause.complements[0].object;
       if (naming_.everyday() && !places.empty() &&
           (naming_.is_carried(places[0].noun) || naming_.heats_food(places[0].noun)))
-        std::erase_if(patterns, [](const std::string& pattern) { return pattern == "move {s} to {o}"; });
+        std::erase_if(patterns, [](const std::string& pattern) { return pattern.starts_with("move {s} "); });
       // "Grab something to wear": what is named by its use is looked for.
       if (naming_.everyday() && naming_.names_by_use(clause.subjects[0].noun) &&
           clause.complements[0].predicate == P::Held)
@@ -437,7 +437,7 @@ std::optional<std::string> ClauseWriter::filled(const std::string& pattern, cons
   // "Wash a mug and hold it": it is in the hand already.
   const bool held = naming_.everyday() && subjects->text == "it" && clause.complements[0].predicate == Predicate::Held;
   std::string text = held ? "hold on to {s}" : with_particle_order(pattern, subjects->text, clause.complements[0]);
-  text = replace_all(text, "{m}", replace_all(clause.complements[0].symbol, "_", " "));
+  text = replace_all(text, "{m}", symbol_words(clause.complements[0].symbol));
   if (!clause.complements[0].object.empty()) {
     Place place = place_of(clause);
     place.bare_room = naming_.everyday() && text.ends_with(" {o}");
@@ -447,6 +447,8 @@ std::optional<std::string> ClauseWriter::filled(const std::string& pattern, cons
     if (plain || object->text == "it") text = replace_all(text, "the floor of {o}", floor_of(object->text, false));
     text = replace_all(text, "{o}", object->text);
   }
+  if (text.find(" the same ") != std::string::npos)  // not "on the same counter except for the white one"
+    return replace_all(text, "{s}", subjects->text + exception);
   return replace_all(text, "{s}", subjects->text) + exception;
 }
 

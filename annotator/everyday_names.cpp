@@ -226,7 +226,7 @@ constexpr std::array<EverydayName, 444> kEverydayNames{{
     {"gym shoe", "sneaker", "trainer"},
     {"half brussels sprout", "half Brussels sprout", "half Brussels sprout"},
     {"half cantaloup", "half cantaloupe", "half cantaloupe"},
-    {"half meat loaf", "half meatloaf", "half meat loaf"},
+    {"half meat loaf", "piece of meatloaf", "piece of meat loaf"},
     {"half mini chocolate cake", "half chocolate cake", "half chocolate cake"},
     {"half sourdough", "half sourdough loaf", "half sourdough loaf"},
     {"half vidalia onion", "half Vidalia onion", "half Vidalia onion"},

@@ -97,7 +97,35 @@ class SentenceWriter {
   std::vector<std::string> sentences_;
 };
 
+/// Things at home of the category or room type.
+std::size_t number_of(const Domain::Member& member, const Trace& start, const NounTable& nouns) {
+  if (!nouns.is_room_type(member.category)) return start.entities.of(of_category(member.category)).size();
+  const auto& all = start.entities;
+  return static_cast<std::size_t>(
+      std::count_if(all.begin(), all.end(), [&](const Entity& one) { return one.category == member.category; }));
+}
+
 }  // namespace
+
+bool can_be_said(const std::string& sentence, const Trace& start, const NounTable& nouns) {
+  if (start.states.empty()) return true;
+  const auto words = tokens_of(sentence);
+  for (std::size_t i = 0; i < words.size();) {
+    const auto noun = nouns.noun_at(words, i);
+    const std::size_t next = i + std::max<std::size_t>(noun.length, 1);
+    const bool measures = next < words.size() && words[next].text == "of";
+    std::size_t there = 0;
+    bool known = false;
+    for (const Domain& domain : noun.nouns) {
+      known |= domain.kind == Domain::Kind::Categories;
+      for (const Domain::Member& member : domain.members) there += number_of(member, start, nouns);
+    }
+    const std::size_t least = noun.plural && i > 0 && words[i - 1].text == "those" ? 2 : 1;
+    if (known && !measures && there < least) return false;
+    i = next;
+  }
+  return true;
+}
 
 std::vector<std::string> home_sentences(const Trace& start, const Formula& goal, const std::vector<std::string>& own,
                                         const Knowledge& knowledge, const NounTable& nouns, Rng rng) {

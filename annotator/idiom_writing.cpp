@@ -182,6 +182,7 @@ std::optional<std::string> left_alone(const Clause& clause, Naming& naming) {
   const NounPhrase& subject = clause.subjects[0];
   const Complement& said = clause.complements[0];
   if (subject.determiner == Determiner::Every && says_the_place(subject, said) && naming.was_named_kind(subject.noun)) {
+    if (!naming.is_countable(subject.noun)) return std::nullopt;  // "some bread … the one on the table"
     const Text where = naming.complement(subject.modifiers[0], {});
     if (!where) return std::nullopt;
     return subject.there == 1 ? "leave the one " + *where + " where it is"

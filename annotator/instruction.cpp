@@ -235,6 +235,7 @@ bool add_style_frame(std::string& text, const Specification& specification, Styl
         text.find(phrase.need) != std::string::npos)
       sentences.push_back(phrase.text);
   if (!sentences.empty() || style == Style::Context) {
+    std::erase_if(sentences, [&](const std::string& said) { return !can_be_said(said, judge.start(), lexicon); });
     if (sentences.empty()) return false;
     text.insert(0, rng.pick(sentences) + " ");
   } else if (style == Style::Aside) {
@@ -249,10 +250,12 @@ bool add_style_frame(std::string& text, const Specification& specification, Styl
 }
 
 /// A sentence that asks for the goal without naming anything: "It's too dark to read."
-std::optional<std::string> request_for(const Formula& goal, const NounTable& lexicon, Rng& rng) {
+std::optional<std::string> request_for(const TextChecker& judge, const Formula& goal, const NounTable& lexicon,
+                                       Rng& rng) {
   std::vector<std::string> sentences;
   for (const auto& [key, phrase] : lexicon.phrases())
-    if (phrase.use == AliasKind::Request && ranges_over(goal, phrase.noun) && asks_for(goal, phrase.state))
+    if (phrase.use == AliasKind::Request && ranges_over(goal, phrase.noun) && asks_for(goal, phrase.state) &&
+        can_be_said(phrase.text, judge.start(), lexicon))
       sentences.push_back(phrase.text);
   return sentences.empty() ? std::nullopt : std::optional(rng.pick(sentences));
 }
@@ -298,7 +301,7 @@ class Writer {
       exactly = exactly || (draw >= kFreeDraws && style == Style::Direct);
       std::optional<std::string> text;
       // Of a goal that accepts very many things, a request may be all that says it.
-      if (style == Style::Request || draw == kFreeDraws) text = request_for(specification_.goal, nouns_, own);
+      if (style == Style::Request || draw == kFreeDraws) text = request_for(judge_, specification_.goal, nouns_, own);
       if (style == Style::Request && !text) return std::nullopt;
       if (!text) {
         if (exactly && !options_.spells_out) return std::nullopt;

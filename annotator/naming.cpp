@@ -173,7 +173,7 @@ std::optional<std::string> Naming::plural(const NounPhrase& phrase, Place place)
 
 std::optional<std::string> Naming::complement(const Complement& said, Place place) {
   std::string text = said.negated ? "not " : "";
-  const std::string symbol = said.symbol == "any" ? "something" : replace_all(said.symbol, "_", " ");
+  const std::string symbol = said.symbol == "any" ? "something" : symbol_words(said.symbol);
   switch (said.predicate) {
     case Predicate::Filled:
       return text + "filled with " + symbol;

@@ -142,9 +142,9 @@ std::string with_tops(std::string text, const NounTable& nouns) {
     std::size_t at = i + 1;
     while (is(at, "the") || is(at, "a") || is(at, "one") || is(at, "of") || is(at, "same")) ++at;
     std::size_t length = nouns.noun_at(tokens, at).length;
-    if (const std::size_t room = nouns.room_at(tokens, at).length; length == 0 && room > 0) {  // "the kitchen cupboard"
+    if (const std::size_t room = nouns.room_at(tokens, at).length; room > 0 && room >= length) {  // "kitchen cupboard"
       const std::size_t named = nouns.noun_at(tokens, at + room).length;
-      length = named == 0 ? 0 : room + named;
+      length = named == 0 ? length : room + named;
     }
     const bool high = length > 0 && std::any_of(kHeads.begin(), kHeads.end(),
                                                 [&](const char* head) { return is(at + length - 1, head); });

@@ -6,6 +6,7 @@
 
 #include "annotator/goal_words.h"
 #include "annotator/naming.h"
+#include "annotator/opposite_check.h"
 #include "annotator/plain_words.h"
 #include "annotator/words_for_reading.h"
 #include "core/text.h"
@@ -119,6 +120,7 @@ class Check {
     denials();
     other_words();
     misspelled_names();
+    for (std::string& fault : opposite_faults(words_, specification_)) faults_.push_back(std::move(fault));
     return std::move(faults_);
   }
 

@@ -18,7 +18,8 @@ std::vector<std::string> form_faults(const std::string& text, const Specificatio
 /// text has no word for a category, color, number, state, quantifier or order that the goal does not have, no denial
 /// where nothing is denied, and no other word that neither the goal nor the style explains (plain_words.h). Where a
 /// name of the goal is missing, a word that differs by one letter is reported as a misspelling. It ignores syntax, so
-/// it cannot tell what is put on what; reading back checks that.
+/// it cannot tell what is put on what; reading back checks that. Words that say the opposite of the goal are faults,
+/// too (opposite_check.h).
 std::vector<std::string> saying_faults(const std::string& text, const Specification& specification,
                                        const NounTable& nouns);
 

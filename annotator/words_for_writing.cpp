@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "core/text.h"
+
 namespace unietp {
 namespace {
 
@@ -89,7 +91,7 @@ constexpr EverydayRow kEverydayRows[] = {
     {P::SatOn, {"sit down on {s}", "sit on {s}"}},
     {P::LainOn, {"lie down on {s}"}},
     {P::On, {"put {s} on {o}", "place {s} on {o}", "move {s} to {o}"}},
-    {P::Inside, {"put {s} in {o}", "place {s} in {o}", "move {s} to {o}"}},
+    {P::Inside, {"put {s} in {o}", "place {s} in {o}", "move {s} into {o}"}},
     {P::NextTo, {"put {s} next to {o}", "place {s} next to {o}"}},
     {P::Under, {"put {s} under {o}"}},
     {P::OnFloor, {"put {s} on the floor of {o}"}},
@@ -110,6 +112,10 @@ const WritingRow& row_of(Predicate predicate) {
 std::string state_word(Predicate predicate) { return std::string(row_of(predicate).state); }
 
 std::string before_object(Predicate predicate) { return std::string(row_of(predicate).preposition); }
+
+std::string symbol_words(const std::string& symbol) {
+  return symbol == "parmesan" ? "Parmesan" : replace_all(symbol, "_", " ");
+}
 
 std::string floor_of(const std::string& room, bool described) {
   if (room == "it") return "its floor";

@@ -13,6 +13,8 @@ namespace unietp {
 std::string state_word(Predicate predicate);
 /// The preposition of a relation, after "is"; "" for what is no relation.
 std::string before_object(Predicate predicate);
+/// A color, material or substance in words: "black pepper", "Parmesan".
+std::string symbol_words(const std::string& symbol);
 /// "its floor" for "it", "the bedroom floor" for "the bedroom"; a room that is described keeps its place at the end.
 std::string floor_of(const std::string& room, bool described);
 

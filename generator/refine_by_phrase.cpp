@@ -28,12 +28,15 @@ std::optional<Predicate> only_state(const Formula& goal) {
 
 /// The categories that a phrase means, of those that could satisfy the goal; none when one of them is another part of
 /// the goal, since one word for two parts would be ambiguous, and none when the home has something that the phrase
-/// means and that cannot satisfy the goal: a bowl is a dish, too, where bread has to be on a plate.
+/// means and that cannot satisfy the goal: a bowl is a dish, too, where bread has to be on a plate. A wider name of
+/// which fewer than half the things will do says too much: nobody who can take fruit only asks for a snack.
 std::vector<std::string> served_by(const Alias& phrase, const Specification& plain, const std::string& category,
                                    const Knowledge& knowledge, const SceneOffer& offer) {
   std::vector<std::string> serving;
+  std::size_t meant = 0;
   for (const auto& alias : knowledge.aliases()) {
     if (alias.kind != phrase.kind || alias.text != phrase.text) continue;
+    ++meant;
     if (contradiction(substituted(plain, category, {alias.category}), knowledge)) {
       if (number_of(offer, alias.category) > 0) return {};
       continue;
@@ -44,6 +47,7 @@ std::vector<std::string> served_by(const Alias& phrase, const Specification& pla
     if (other_part) return {};
     serving.push_back(alias.category);
   }
+  if (phrase.kind == AliasKind::Hypernym && 2 * serving.size() < meant) return {};
   std::sort(serving.begin(), serving.end());
   serving.erase(std::unique(serving.begin(), serving.end()), serving.end());
   return serving;
@@ -131,12 +135,12 @@ AliasKind phrases_of(Style style) {
 std::optional<Specification> refine_by_phrase(const Specification& plain, const Knowledge& knowledge,
                                               const SceneOffer& offer, Style style, Rng rng) {
   if (style == Style::Context && carried_in(plain.goal, knowledge) > 1) return std::nullopt;
+  const bool any_kind = style == Style::Hypernym || style == Style::Function;
   std::vector<std::string> choices;
   for (const auto& variable : singular_variables(plain.goal)) {
     if (style == Style::Context &&
         (!is_got_ready(variable, plain) || is_put_away(variable, plain, knowledge, offer.uses)))
       continue;
-    const bool any_kind = style == Style::Hypernym || style == Style::Function;
     const auto asked = predicates_of(plain.goal, variable.variable);
     const bool held = std::find(asked.begin(), asked.end(), Predicate::Held) != asked.end();
     if (style == Style::Hypernym && held) continue;  // "pick up a piece of clothing"
@@ -154,7 +158,7 @@ std::optional<Specification> refine_by_phrase(const Specification& plain, const 
                     [&](const Alias* alias) { return !alias->text.starts_with(std::string(info(*state).name) + " "); });
     rng.shuffle(phrases);
     for (const auto& serving : choices_first(phrases, plain, category, knowledge, offer)) {
-      if (style == Style::Function && serving.size() < 2) break;  // a use that only one thing serves is another name
+      if (any_kind && serving.size() < 2) break;  // a use that only one kind of thing serves is another name
       auto widened = substituted(plain, category, serving);
       widened.split = Split::Linguistic;
       widened.style = style;

@@ -22,10 +22,23 @@ std::string file_name(int number) {
 
 }  // namespace
 
+EmptyFolders::EmptyFolders(const fs::path& folder) {
+  std::error_code code;
+  for (fs::path path = one_name_of(folder); !path.empty() && !fs::exists(path, code); path = path.parent_path())
+    missing_.push_back(path);
+}
+
+EmptyFolders::~EmptyFolders() {
+  std::error_code code;
+  for (const fs::path& path : missing_)
+    if (fs::is_directory(path, code)) fs::remove(path, code);  // one with anything in it stays
+}
+
 Result<BatchFolder> BatchFolder::open(const fs::path& folder, std::string model) {
+  EmptyFolders missing(folder);
   auto lock = FolderLock::take(folder);
   if (!lock) return lock.error();
-  BatchFolder batch(std::move(*lock), folder, batch_endpoint(std::move(model)));
+  BatchFolder batch(std::move(missing), std::move(*lock), folder, batch_endpoint(std::move(model)));
   std::error_code code;
   fs::create_directories(folder, code);
   if (code) return Error{Error::Kind::Io, folder.string(), {}, "cannot create this folder: " + code.message()};

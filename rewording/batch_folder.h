@@ -12,13 +12,27 @@
 
 namespace unietp {
 
+/// The folders that are not there yet on the way to one. Those of them that are there and empty when this ends are
+/// removed: who fails leaves none behind.
+class EmptyFolders {
+ public:
+  explicit EmptyFolders(const std::filesystem::path& folder);
+  EmptyFolders(EmptyFolders&&) = default;
+  EmptyFolders& operator=(EmptyFolders&&) = delete;
+  ~EmptyFolders();
+
+ private:
+  std::vector<std::filesystem::path> missing_;  // the deepest first
+};
+
 /// A folder through which a provider's batch service is asked: `requests-0001.jsonl` … are written here,
 /// `answers*.jsonl` and whatever else the service gave back (`*.jsonl` that are no requests) is read, in any order.
 /// Each run writes only requests that no file has yet, or whose answer failed, so that running again goes on where the
 /// answers ended.
 class BatchFolder {
  public:
-  /// Reads what is there. Errors: Io, also when the folder cannot be written; Usage when another process uses it.
+  /// Reads what is there, and makes the folder, which goes again if `finish` writes nothing into it. Errors: Io, also
+  /// when the folder cannot be written; Usage when another process uses it.
   static Result<BatchFolder> open(const std::filesystem::path& folder, std::string model);
 
   /// Answers from the files; a request that has none yet is noted.
@@ -36,10 +50,14 @@ class BatchFolder {
   Result<Report> finish();
 
  private:
-  BatchFolder(FolderLock lock, std::filesystem::path folder, LlmEndpoint endpoint)
-      : lock_(std::move(lock)), folder_(std::move(folder)), endpoint_(std::move(endpoint)) {}
+  BatchFolder(EmptyFolders missing, FolderLock lock, std::filesystem::path folder, LlmEndpoint endpoint)
+      : missing_(std::move(missing)),
+        lock_(std::move(lock)),
+        folder_(std::move(folder)),
+        endpoint_(std::move(endpoint)) {}
 
-  FolderLock lock_;  // or two runs would give their request files the same number
+  EmptyFolders missing_;  // ends after the lock, whose file is beside the folder
+  FolderLock lock_;       // or two runs would give their request files the same number
   std::filesystem::path folder_;
   LlmEndpoint endpoint_;
   BatchAnswers answers_;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "annotator/everyday_names.h"
+#include "annotator/plural.h"
 #include "core/text.h"
 #include "generator/fixed_start.h"
 #include "generator/goal_variable.h"
@@ -37,9 +38,12 @@ std::string spoken_name(const std::string& category, const NounTable& nouns) {
   return everyday.empty() ? name->singular : std::string(everyday);
 }
 
+/// Whether furniture of another name has things of this one: a chest of drawers has drawers.
+bool has_such(const std::string& other, const std::string& own) { return other.ends_with(" of " + plural_of(own)); }
+
 /// Whether the home has furniture of another category that the category's name could mean: of the same name, of one
-/// that ends in it, of a kind that is called so ("the shelf" beside a shelving unit), or that people call so ("the
-/// lower cabinet" of a storage cabinet).
+/// that ends in it or has such things, of a kind that is called so ("the shelf" beside a shelving unit), or that people
+/// call so ("the lower cabinet" of a storage cabinet).
 bool has_namesake(const std::string& category, const Home& home, const Household& household, const NounTable& nouns) {
   const std::string own = spoken_name(category, nouns);
   if (own.empty()) return false;
@@ -47,8 +51,8 @@ bool has_namesake(const std::string& category, const Home& home, const Household
   return std::any_of(nodes.begin(), nodes.end(), [&](const Node& node) {
     if (node.movable || node.category == category) return false;
     const std::string other = spoken_name(node.category, nouns);
-    return other == own || other.ends_with(" " + own) || household.kind_of(node.category) == own ||
-           household.may_mean(category, node.category);
+    return other == own || other.ends_with(" " + own) || has_such(other, own) ||
+           household.kind_of(node.category) == own || household.may_mean(category, node.category);
   });
 }
 
@@ -65,7 +69,8 @@ bool has_twin(const Domain& asked, const Home& home, const Household& household,
   for (std::size_t other = 0; other < home.scene.nodes.size(); ++other) {
     const Node& node = home.scene.nodes[other];
     if (node.movable || node.category == category) continue;
-    if (spoken_name(node.category, nouns) != own && (said || !household.may_mean(category, node.category))) continue;
+    const std::string name = spoken_name(node.category, nouns);
+    if (name != own && !has_such(name, own) && (said || !household.may_mean(category, node.category))) continue;
     if (std::any_of(there.begin(), there.end(), [&](std::size_t one) { return home.rooms[one] == home.rooms[other]; }))
       return true;
   }

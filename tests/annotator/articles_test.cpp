@@ -145,6 +145,28 @@ TEST(Leaving, OneOfTwoLeavesTheOtherOne) {
               Not(IsEmpty()));
 }
 
+/// "Put some bread in the fridge. Leave the one on the table where it is."
+TEST(Leaving, IsOfOnesOnlyWhereTheyAreCounted) {
+  const Knowledge knowledge = small_knowledge();
+  const NounTable nouns(knowledge);
+  const auto texts = [&](const std::string& thing) {
+    const auto asked = asking("(exists (?f - Fridge) (exists (?a - " + thing +
+                                  ") (and (at-end (inside ?a ?f)) (always (forall (?d - (" + thing +
+                                  " :where (exists (?c - Table) (on ?d ?c)))) (exists (?e - Table) (on ?d ?e)))))))",
+                              "distractor");
+    const Scene home = home_of({{"Table"}, {"Fridge"}, {thing.c_str(), "", "table_1"}, {thing.c_str()}});
+    WritingOptions options;
+    options.home = &home;
+    std::vector<std::string> all;
+    for (std::uint64_t seed = 0; seed < 20; ++seed)
+      if (const auto written = write_instruction(asked, knowledge, nouns, options, Rng(seed)))
+        all.push_back(lower(written->text));
+    return all;
+  };
+  EXPECT_THAT(texts("Mug"), Contains(HasSubstr("leave the one on the table where it is")));
+  EXPECT_THAT(texts("Bread"), AllOf(Not(IsEmpty()), Each(Not(HasSubstr("the one ")))));
+}
+
 TEST(Both, IsOfTwo) {
   const char* goal = "(exists (?t - Table) (forall (?m - Mug) (at-end (on ?m ?t))))";
   EXPECT_THAT(faults_in(home_of({{"Table"}, {"Mug"}, {"Mug"}}), "Put both mugs on the table.", goal), IsEmpty());

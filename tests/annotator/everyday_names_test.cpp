@@ -7,8 +7,10 @@
 #include <map>
 #include <string>
 
+#include "annotator/instruction.h"
 #include "annotator/noun_table.h"
 #include "annotator/rare_names.h"
+#include "annotator/words_for_writing.h"
 #include "core/text.h"
 #include "tests/support/committed_knowledge.h"
 
@@ -52,6 +54,28 @@ TEST(EverydayNames, DifferBetweenTheTwoEnglishes) {
   EXPECT_EQ(everyday_name("chickpea can", English::Us), "can of chickpeas");
   EXPECT_EQ(everyday_name("chickpea can", English::Gb), "tin of chickpeas");
   EXPECT_EQ(everyday_name("mug", English::Us), "");
+}
+
+TEST(Substances, AreWrittenAsInEnglish) {
+  EXPECT_EQ(symbol_words("parmesan"), "Parmesan");
+  EXPECT_EQ(symbol_words("black_pepper"), "black pepper");
+  const Knowledge& knowledge = committed_knowledge(Simulator::Behavior);
+  for (const char* goal : {"(exists (?a - steak) (at-end (covered ?a parmesan)))",
+                           "(exists (?a - (steak :where (covered ?a parmesan))) (at-end (cooked ?a)))"}) {
+    Specification asked;
+    asked.goal = *parse_formula("test", goal, FormulaUse::Goal);
+    const auto written = write_instruction(asked, knowledge, Rng(1));
+    ASSERT_TRUE(written) << format(written.error());
+    EXPECT_NE(written->text.find("Parmesan"), std::string::npos) << written->text;
+    EXPECT_EQ(written->text.find("parmesan"), std::string::npos) << written->text;
+  }
+}
+
+TEST(Tops, AreSaidOfCabinetsWithARoomToo) {
+  const NounTable nouns(committed_knowledge(Simulator::Ai2thor));
+  EXPECT_EQ(with_tops("Put the mug on a kitchen cabinet.", nouns), "Put the mug on top of a kitchen cabinet.");
+  EXPECT_EQ(with_tops("Put the mug on the cabinet.", nouns), "Put the mug on top of the cabinet.");
+  EXPECT_EQ(with_tops("Put the mug on a kitchen counter.", nouns), "Put the mug on a kitchen counter.");
 }
 
 TEST(RareNames, AreNotSaid) {

@@ -240,6 +240,12 @@ TEST(Articles, FollowTheSoundOfTheWord) {
   EXPECT_EQ(with_article("umbrella"), "an umbrella");
   EXPECT_EQ(with_article("hourglass"), "an hourglass");
   EXPECT_EQ(with_article("mug"), "a mug");
+  EXPECT_EQ(with_article("USB hub"), "a USB hub");
+  EXPECT_EQ(with_article("universal remote"), "a universal remote");
+  EXPECT_EQ(with_article("uninflated ball"), "an uninflated ball");
+  EXPECT_EQ(with_article("X-ray"), "an X-ray");
+  EXPECT_EQ(with_article("LCD monitor"), "an LCD monitor");
+  EXPECT_EQ(with_article("half onion"), "half an onion");
 }
 
 TEST(Plurals, AreThoseOfTheLanguage) {

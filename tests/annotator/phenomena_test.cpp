@@ -6,6 +6,7 @@
 #include "annotator/instruction.h"
 #include "annotator/meaning.h"
 #include "annotator/parse.h"
+#include "core/text.h"
 #include "small_knowledge.h"
 
 namespace unietp {
@@ -180,6 +181,43 @@ TEST(HomeSentences, AreTrueAndOfOtherThingsWhereTheGoalPutsSomething) {
     EXPECT_THAT(sentence, Not(::testing::HasSubstr("mug")));
     EXPECT_THAT(sentence, ::testing::HasSubstr("where it is"));
     EXPECT_THAT(read(sentence + " Wash the dirty mug."), SizeIs(1)) << sentence;
+  }
+}
+
+TEST(CanBeSaid, OnlyWhatTheHomeHas) {
+  const NounTable nouns(small_knowledge());
+  EXPECT_TRUE(can_be_said("I'm going to wash the mug.", home(), nouns));
+  EXPECT_FALSE(can_be_said("I'm going to slice the apple.", home(), nouns));
+  EXPECT_FALSE(can_be_said("I'm about to have some bread.", home(), nouns));
+  EXPECT_TRUE(can_be_said("I'm about to have some bread.", Trace(), nouns)) << "nobody knows the home";
+  EXPECT_TRUE(can_be_said("I just had a bowl of soup.", home(), nouns)) << "a measure, and no name";
+  EXPECT_TRUE(can_be_said("I can't sleep with all those mugs here.", home(), nouns));
+  EXPECT_FALSE(can_be_said("I can't sleep with all those lamps on.", home(), nouns)) << "there is one";
+}
+
+/// An occasion that speaks of what is not at home is not drawn; where all do, there is no text in that style.
+TEST(CanBeSaid, DecidesWhichOccasionIsDrawn) {
+  const auto small = small_knowledge();
+  auto aliases = small.aliases();
+  std::erase_if(aliases, [](const Alias& alias) { return alias.kind == AliasKind::Occasion; });
+  for (const char* said : {"something to cut: I want some bread.", "something to cut: I want the mug."})
+    aliases.push_back({"Mug", said, AliasKind::Occasion, {"curated", 1}});
+  const Knowledge knowledge(small.simulator(), small.categories(), {}, {}, {}, aliases);
+  Scene here;
+  for (const char* category : {"Mug", "Mug", "Table"}) {
+    Node node;
+    node.id = lower(category) + "_" + std::to_string(here.nodes.size() + 1);
+    node.category = category;
+    here.nodes.push_back(node);
+  }
+  WritingOptions options;
+  options.home = &here;
+  const auto asked = asking("(exists (?m - Mug) (exists (?t - Table) (at-end (on ?m ?t))))", "context");
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    const auto written = write_instruction(asked, knowledge, NounTable(knowledge), options, Rng(seed));
+    ASSERT_TRUE(written) << format(written.error());
+    EXPECT_EQ(written->style, Style::Context) << written->text;
+    EXPECT_THAT(written->text, ::testing::StartsWith("I want the mug."));
   }
 }
 

@@ -118,5 +118,56 @@ TEST(SayingFaults, AreNotInWhatIsAskedForNothing) {
   EXPECT_FALSE(saying_faults("There is a mug on the table. Open a fridge.", asking(kFridge), nouns).empty());
 }
 
+constexpr const char* kOn = "(exists (?a - Lamp) (at-end (power_on ?a)))";
+constexpr const char* kOff = "(exists (?a - (Lamp :where (exists (?t - Table) (on ?a ?t)))) (at-end (power_off ?a)))";
+constexpr const char* kAllOnTable = "(exists (?b - Table) (forall (?a - Mug) (at-end (on ?a ?b))))";
+constexpr const char* kOneOnTable = "(exists (?a - Mug) (exists (?b - Table) (at-end (on ?a ?b))))";
+constexpr const char* kAtLeastTwo = "(exists (?b - Table) (at-end (count >= 2 (?a - Mug) (on ?a ?b))))";
+constexpr const char* kAtMostTwo = "(exists (?b - Table) (at-end (count <= 2 (?a - Mug) (on ?a ?b))))";
+constexpr const char* kLarge = "(exists (?a - (Mug :where (size ?a large))) (at-end (clean ?a)))";
+constexpr const char* kEither =
+    "(exists (?b - Table) (at-end (or (exists (?a - Mug) (on ?a ?b)) (exists (?c - Bowl) (on ?c ?b)))))";
+constexpr const char* kCleanFirst =
+    "(exists (?b - Table) (exists (?a - Mug) (and (before (clean ?b) (on ?a ?b)) (at-end (on ?a ?b)))))";
+constexpr const char* kTaken =
+    "(exists (?a - (Mug :where (exists (?t - Table) (on ?a ?t)))) (exists (?b - Fridge) (at-end (inside ?a ?b))))";
+
+TEST(OppositeFaults, AreWordsThatTurnTheMeaningAround) {
+  const struct {
+    const char *goal, *right, *wrong;
+  } cases[] = {
+      {kOn, "Turn on the lamp.", "Turn off the lamp."},
+      {kOn, "Please switch the lamp on.", "Please switch the lamp off."},
+      {kOn, "I'd like the lamp turned on.", "I'd like the lamp turned off."},
+      {kOff, "Turn off the lamp on the table.", "Turn on the lamp on the table."},
+      {kOff, "Turn the lamp on the table off.", "Turn the lamp on the table on."},
+      {kOff, "Switch the lamp that's on the table off, please.", "Leave the lamp on the table switched on."},
+      {kAllOnTable, "Put both mugs on the table.", "Put none of the mugs on the table."},
+      {kAllOnTable, "Put all the mugs on the table.", "Put neither of the mugs on the table; no mugs, not all."},
+      {kAllOnTable, "Put every mug on the table.", "Don't put every mug on the table."},
+      {kTwoMugs, "Put two mugs on a table.", "Put no mugs, neither of the two, on a table."},
+      {kOneOnTable, "Put a mug on the table.", "Put all the mugs on the table."},
+      {kOneOnTable, "Put a mug on the table.", "Take a mug off the table."},
+      {kOneOnTable, "Put a mug on the table.", "Take a mug out of the table."},
+      {kTaken, "Take a mug off the table and put it in the fridge.", "Last, put the mug on the table in the fridge."},
+      {kAtLeastTwo, "Put at least two mugs on a table.", "Put at most two mugs on a table."},
+      {kAtLeastTwo, "Put no fewer than two mugs on a table.", "Put no more than two mugs on a table."},
+      {kAtMostTwo, "Put at most two mugs on a table.", "Put at least two mugs on a table, no more than that."},
+      {kLarge, "Wash the larger mug.", "Wash the smaller mug."},
+      {kEither, "Put a mug or a bowl on a table.", "Put a mug and a bowl on a table."},
+      {kOneOnTable, "Put a mug on the table.", "Put a mug on or on the table."},
+      {kCleanFirst, "First clean the table, then put a mug on it.", "Last clean the table, then put a mug on it."},
+      {kCleanFirst, "Clean the table before putting a mug on it.", "Clean the table after putting a mug on it."},
+      {kCleanFirst, "Before you put a mug on the table, clean it.", "Before you clean the table, put a mug on it."},
+      {kCleanFirst, "Put a mug on the table, but first clean it.", "Clean the table, but first put a mug on it."},
+      {kCleanFirst, "Once the table is clean, put a mug on it.", "Put a mug on the table, then clean it."},
+      {kCleanFirst, "Clean the table. After that, put a mug on it.", "Put a mug on the table. After that, clean it."},
+  };
+  for (const auto& one : cases) {
+    EXPECT_THAT(said(one.goal, one.right), ::testing::IsEmpty()) << one.right;
+    EXPECT_THAT(said(one.goal, one.wrong), Not(::testing::IsEmpty())) << one.wrong;
+  }
+}
+
 }  // namespace
 }  // namespace unietp

@@ -186,6 +186,18 @@ TEST(RealKnowledge, NobodyLeavesOpenWhichThingIsPutAwayOrChanged) {
   }
 }
 
+/// "A snack" for an apple, where nothing else will do, is a riddle.
+TEST(RealKnowledge, AWiderNameLeavesAChoice) {
+  const auto widened = [&](Simulator simulator, const char* thing, const char* place) {
+    const auto& knowledge = committed_knowledge(simulator);
+    const auto plain = instantiate(library_template("place-one-on"), knowledge, {{"A", thing}, {"B", place}});
+    EXPECT_TRUE(plain) << format(plain.error());
+    return plain && refine_linguistic(*plain, knowledge, offer_of_uses(), "hypernym", Rng(1)).has_value();
+  };
+  EXPECT_FALSE(widened(Simulator::Ai2thor, "Apple", "CounterTop"));
+  EXPECT_TRUE(widened(Simulator::Virtualhome, "crackers", "kitchentable"));
+}
+
 TEST(RealKnowledge, KindsThatAreListedJoinOnlyThingsOfOneOfThem) {
   const auto& knowledge = committed_knowledge(Simulator::Behavior);
   const DomainConstraint any{ConstraintType::SameKind, {"A", "B"}, {}};

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <filesystem>
+
 #include "core/files.h"
 #include "tests/support/scratch_folder.h"
 
@@ -32,6 +34,24 @@ TEST(BatchFolder, CountsOnFromTheLastRequestFile) {
 TEST(BatchFolder, TakesAFileOfAnAbsurdNumberForNoneOfItsOwn) {
   EXPECT_THAT(added_to({"requests-2147483647.jsonl", "requests-99999999999999.jsonl", "requests-.jsonl"}),
               ElementsAre("requests-0001.jsonl"));
+}
+
+TEST(BatchFolder, IsNotLeftBehindEmpty) {
+  const ScratchFolder folder;
+  const auto inner = folder.path() / "new" / "batch";
+  ASSERT_TRUE(BatchFolder::open(inner, "model"));  // ends at once, as in a run that then finds no data set
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+  std::filesystem::create_directories(inner);
+  ASSERT_TRUE(BatchFolder::open(inner, "model"));
+  EXPECT_TRUE(std::filesystem::exists(inner)) << "it was there before";
+  std::filesystem::remove_all(folder.path() / "new");
+  {
+    auto batch = BatchFolder::open(inner, "model");
+    ASSERT_TRUE(batch);
+    (void)batch->ask({{"system", "user", "answer", "{\"type\":\"object\"}", {}, {}}});
+    ASSERT_TRUE(batch->finish());
+  }
+  EXPECT_TRUE(std::filesystem::exists(inner / "requests-0001.jsonl"));
 }
 
 }  // namespace

@@ -77,5 +77,28 @@ TEST(LeavesOpen, WhichOfSeveralPlacesInSeveralRoomsAndWhosePhone) {
   }
 }
 
+/// "The drawer" could be one of the chest of drawers.
+TEST(LeavesOpen, WhichDrawerBesideAChestOfDrawers) {
+  const auto layout = home_with_two_sinks();
+  ASSERT_TRUE(layout);
+  Layout home = *layout;
+  auto& nodes = home.home.scene.nodes;
+  std::vector<std::size_t> fixed;
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    if (!nodes[i].movable) fixed.push_back(i);
+  ASSERT_GE(fixed.size(), 2U);
+  const auto open_beside = [&](const char* other) {
+    for (const std::size_t at : fixed) nodes.edit(at).category = other;
+    nodes.edit(fixed[0]).category = "drawer";
+    home.home.places = NodeIndex(nodes);
+    const auto goal = parse_formula("goal", "(exists (?a - drawer) (at-end (open ?a)))", FormulaUse::Goal);
+    EXPECT_TRUE(goal);
+    return goal && leaves_open(*goal, home, *committed().recipe(Simulator::Habitat).household,
+                               committed().backend(Simulator::Habitat).nouns);
+  };
+  EXPECT_FALSE(open_beside("bathtub"));
+  EXPECT_TRUE(open_beside("chest_of_drawers"));
+}
+
 }  // namespace
 }  // namespace unietp
