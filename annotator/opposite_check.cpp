@@ -74,6 +74,7 @@ class Opposites {
     if (specification_.style != Style::Request && specification_.style != Style::Condition) {
       switching();
       removal();
+      nearness();
     }
     sizes();
     bounds();
@@ -142,8 +143,22 @@ class Opposites {
     for (std::size_t i = 1; i < words_.size(); ++i) {
       const bool off = words_[i].text == "off" && !is_switched(i) && !ends_clause(words_, i + 1);
       const bool out = words_[i].text == "out" && word(i + 1) == "of";
-      if (off || out) return exceeds("'" + words_[i].text + "'");
+      const bool from = words_[i].text == "from" && is_taken(i) && is_any(word(i + 1), "the. a. an. your. my. that.");
+      if (off || out || from) return exceeds("'" + words_[i].text + "'");
     }
+  }
+  /// Whether a verb of taking precedes in the same clause.
+  bool is_taken(std::size_t at) const {
+    for (std::size_t i = at; i-- > 0 && !ends_clause(words_, i);)
+      if (is_any(words_[i].text, "take. remove. get. grab. fetch. pull. clear. taking. removing. getting."))
+        return true;
+    return false;
+  }
+
+  /// "Put it next to the plate" where it is to be on the plate.
+  void nearness() {
+    if (knows(P::NextTo) || knows(P::Nearest)) return;
+    if (says({"next", "to"}) || any("beside.")) exceeds("'next to'");
   }
 
   void sizes() {
