@@ -23,11 +23,15 @@ struct PhraseRow {
   std::string source;
 };
 
+/// Whether a list has the category, by its name or by what it is called: "coffeepot", "coffee_pot".
+bool lists_category(const std::vector<std::string>& list, const Category& category) {
+  return lists(list, lower(category.name)) || lists(list, replace_all(lower(category.display), " ", "_"));
+}
+
 bool is_of(const Category& category, const PhraseRow& row) {
-  const auto word = replace_all(lower(category.display), " ", "_");
-  if (lists(row.except, word)) return false;
-  return lists(row.also, word) || std::any_of(category.kinds.begin(), category.kinds.end(),
-                                              [&](const auto& kind) { return lists(row.kinds, kind); });
+  if (lists_category(row.except, category)) return false;
+  return lists_category(row.also, category) || std::any_of(category.kinds.begin(), category.kinds.end(),
+                                                           [&](const auto& kind) { return lists(row.kinds, kind); });
 }
 
 /// The phrases of the row that is read; of a request with its state in front.

@@ -5,6 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include "akb/csv.h"
+#include "akb/lay_kinds.h"
+#include "akb/lay_phrases.h"
+#include "core/files.h"
 #include "core/text.h"
 #include "tests/akb/small_tables.h"
 
@@ -53,6 +57,52 @@ TEST_P(Phrases, AreNounPhrasesOrWholeSentences) {
       EXPECT_FALSE(a.text.ends_with('.')) << a.text;
     }
   }
+}
+
+/// What data/sense/phrases.csv adds to the committed tables.
+std::vector<Tables> with_phrases() {
+  std::vector<Tables> all;
+  for (const Simulator simulator : kSimulators) all.push_back(test::committed(simulator));
+  std::vector<Error> errors;
+  lay_kinds(test::committed_tables(), all, errors);
+  lay_phrases(test::committed_tables(), all, errors);
+  for (const Error& error : errors) ADD_FAILURE() << format(error);
+  return all;
+}
+
+TEST(LaidPhrases, KnowCategoriesByTheirNamesAndByWhatTheyAreCalled) {
+  const auto all = with_phrases();
+  const auto is_snack = [&](const std::string& category) {
+    return std::any_of(all.begin(), all.end(), [&](const Tables& tables) {
+      return std::any_of(tables.aliases.begin(), tables.aliases.end(), [&](const Alias& alias) {
+        return alias.category == category && alias.text == "a snack" && alias.kind == AliasKind::Hypernym;
+      });
+    });
+  };
+  for (const char* snack : {"creamybuns", "crackers", "cup_of_yogurt", "apple"}) EXPECT_TRUE(is_snack(snack)) << snack;
+  for (const char* other : {"poundcake", "half_tiramisu", "cheesecake", "watermelon", "coconut_fruit"})
+    EXPECT_FALSE(is_snack(other)) << other;
+}
+
+TEST(LaidPhrases, ListNothingThatNoCategoryIs) {
+  std::set<std::string> known;
+  for (const Simulator simulator : kSimulators)
+    for (const auto& category : test::committed(simulator).categories)
+      known.insert({lower(category.name), replace_all(lower(category.display), " ", "_")});
+  const auto text = read_file(test::committed_tables().parent_path() / "sense" / "phrases.csv");
+  ASSERT_TRUE(text);
+  const CsvFile file = read_csv("phrases.csv", *text);
+  ASSERT_TRUE(file.errors.empty());
+  int listed = 0;
+  for (std::size_t column = 0; column < file.header.size(); ++column) {
+    if (file.header[column].text != "also" && file.header[column].text != "except") continue;
+    for (const CsvRow& row : file.rows)
+      for (const std::string& word : split(row[column].text, '|')) {
+        listed += word.empty() ? 0 : 1;
+        EXPECT_TRUE(word.empty() || known.contains(word)) << word;
+      }
+  }
+  EXPECT_GT(listed, 200);
 }
 
 }  // namespace
