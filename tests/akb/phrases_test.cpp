@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include "akb/lay_kinds.h"
+#include "akb/lay_phrases.h"
+#include "core/files.h"
 #include "core/text.h"
 #include "tests/akb/small_tables.h"
 
@@ -53,6 +56,31 @@ TEST_P(Phrases, AreNounPhrasesOrWholeSentences) {
       EXPECT_FALSE(a.text.ends_with('.')) << a.text;
     }
   }
+}
+
+/// What data/sense/phrases.csv adds to the committed tables.
+std::vector<Tables> with_phrases() {
+  std::vector<Tables> all;
+  for (const Simulator simulator : kSimulators) all.push_back(test::committed(simulator));
+  std::vector<Error> errors;
+  lay_kinds(test::committed_tables(), all, errors);
+  lay_phrases(test::committed_tables(), all, errors);
+  for (const Error& error : errors) ADD_FAILURE() << format(error);
+  return all;
+}
+
+TEST(LaidPhrases, KnowCategoriesByTheirNamesAndByWhatTheyAreCalled) {
+  const auto all = with_phrases();
+  const auto is_snack = [&](const std::string& category) {
+    return std::any_of(all.begin(), all.end(), [&](const Tables& tables) {
+      return std::any_of(tables.aliases.begin(), tables.aliases.end(), [&](const Alias& alias) {
+        return alias.category == category && alias.text == "a snack" && alias.kind == AliasKind::Hypernym;
+      });
+    });
+  };
+  for (const char* snack : {"creamybuns", "crackers", "cup_of_yogurt", "apple"}) EXPECT_TRUE(is_snack(snack)) << snack;
+  for (const char* other : {"poundcake", "half_tiramisu", "cheesecake", "watermelon", "coconut_fruit"})
+    EXPECT_FALSE(is_snack(other)) << other;
 }
 
 }  // namespace
