@@ -200,7 +200,10 @@ TEST(Virtualhome, AThingOfOursHasTheNearestPrefabOfItsClass) {
   const Knowledge& knowledge = committed_knowledge(Simulator::Virtualhome);
   const auto prefab = [&](const Node& node) { return virtualhome_prefab(node, knowledge, format_facts()).name; };
   const Asset& fridge = *knowledge.asset_rows_of("fridge").back();
-  EXPECT_EQ(prefab(of_class("fridge", fridge.size)), fridge.name);
+  const Asset* const nearest = knowledge.asset(prefab(of_class("fridge", fridge.size)));
+  ASSERT_NE(nearest, nullptr);
+  EXPECT_EQ(nearest->category, "fridge");
+  EXPECT_EQ(nearest->size, fridge.size) << "which several have";
   EXPECT_FALSE(prefab(of_class("fridge", 5 * fridge.size)).empty()) << "is scaled, however odd the size";
   EXPECT_EQ(prefab(of_class("washingmachine", {0.6, 0.6, 0.9})), "Dark_Grey_Washing_Machine") << "of the table";
   EXPECT_EQ(prefab(of_class("kitchencabinet", {0.6, 0.6, 0.9})), "kitchen_cabinet") << "of unknown size";
@@ -223,8 +226,9 @@ TEST(Virtualhome, APrefabIsScaledToTheBoxOfTheThing) {
   home.nodes.push_back(node);
   const auto exported = write_virtualhome(home, committed_knowledge(Simulator::Virtualhome), format_facts());
   ASSERT_TRUE(exported) << format(exported.error());
+  const Json graph = Json::parse(exported->text);
   Json machine;
-  for (const Json& one : Json::parse(exported->text)["nodes"]) {
+  for (const Json& one : graph["nodes"]) {
     if (one["class_name"] == "washingmachine") machine = one;
   }
   EXPECT_EQ(machine["prefab_name"], "Dark_Grey_Washing_Machine");
@@ -241,7 +245,8 @@ TEST(Virtualhome, ThePrefabsOfTheTableAreUpstreams) {
   const auto text = read_maybe_gzip(upstream() / "virtualhome/PrefabClass.json");
   if (!text) GTEST_SKIP() << needs::kSimulatorFiles;
   std::map<std::string, std::set<std::string>> theirs;
-  for (const Json& row : Json::parse(*text)["prefabClasses"]) {
+  const Json upstreams = Json::parse(*text);
+  for (const Json& row : upstreams["prefabClasses"]) {
     std::string name = lower(row["className"].get<std::string>());
     std::erase(name, '_');
     for (const Json& prefab : row["prefabs"]) theirs[name].insert(prefab.get<std::string>());
