@@ -26,6 +26,7 @@ struct ExportOptions {
   std::filesystem::path dataset, out;
   std::string format;
   int threads = 1;
+  bool json = false;
   std::vector<FormatOption> special;  // complete before the first is added to the parser, which keeps pointers to them
 };
 
@@ -97,7 +98,7 @@ Exit export_dataset(const ExportOptions& options, const std::vector<ExportFormat
   }
   const auto summary = format->write(request);
   if (!summary) return refuse(summary.error());
-  std::printf("%s\n", summary->c_str());
+  std::printf("%s\n", (options.json ? summary->json : summary->text).c_str());
   return Exit::Ok;
 }
 
@@ -118,12 +119,13 @@ void add_export_command(CommandParser& app, CommandLine& program) {
   }
   auto* command = app.add_subcommand("export", "Convert a data set to another format");
   command->explain(about +
-                       "\nTasks that a format cannot express are left out; left_out.jsonl lists them with the "
-                       "reasons. The folder is written completely or not at all.",
+                       "\nTasks that a format cannot express are left out and counted by reason; left_out.jsonl "
+                       "lists them with the reasons. The folder is written completely or not at all.",
                    examples);
   command->add_option("FOLDER", options->dataset, "A finished data set")->required()->folder();
   command->add_option("--format", options->format, "Format to write")->required()->one_of(names)->type_name("FORMAT");
   command->add_option("--out", options->out, "Folder to make; it must not exist")->required()->folder()->output();
+  command->add_flag("--json", options->json, "Print the summary, with the counts of reasons, as JSON");
   for (auto& special : options->special) add_to(*command, special);
   add_threads_option(*command, options->threads, program);
   command->callback([options, formats, &program] { program.exit = export_dataset(*options, *formats, program); });

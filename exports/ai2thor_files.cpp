@@ -228,7 +228,7 @@ Result<Json> task_json(const FinishedTask& task, ThorHouse& made, const Knowledg
 
 /// For each task of AI2-THOR `<task>.house.json`, its home for CreateHouse, and `<task>.json`, the calls that start it,
 /// the demonstration in M1 as calls, and the goal as tests of the metadata; and left_out.jsonl.
-Result<std::string> write_ai2thor_files(const ExportRequest& request) {
+Result<ExportSummary> write_ai2thor_files(const ExportRequest& request) {
   return write_expressed(request, express_ai2thor(request));
 }
 

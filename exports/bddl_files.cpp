@@ -7,7 +7,7 @@ namespace unietp {
 namespace {
 
 /// `<task>.bddl` for each task of BEHAVIOR that BDDL can express, and left_out.jsonl.
-Result<std::string> write_bddl(const ExportRequest& request) {
+Result<ExportSummary> write_bddl(const ExportRequest& request) {
   const auto words = read_bddl_words(request.data / "bddl");
   if (!words) return words.error();
   const auto say = [&](const FinishedTask& task,

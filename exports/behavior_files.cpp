@@ -89,7 +89,7 @@ Result<std::vector<AssetFile>> activity_files(const FinishedTask& task, const Bd
 /// For each task of BEHAVIOR `activity_definitions/<task>/problem0.bddl`, the folder that the package `bddl` reads
 /// activities from; its start where OmniGibson looks for sampled scenes; and `<task>.json` with the exact goal over
 /// literals of BDDL; and left_out.jsonl.
-Result<std::string> write_behavior_files(const ExportRequest& request) {
+Result<ExportSummary> write_behavior_files(const ExportRequest& request) {
   return write_expressed(request, express_behavior(request));
 }
 

@@ -26,17 +26,6 @@ const Node* unknown_to_simulator(const FinishedTask& task, const Knowledge& know
   return nullptr;
 }
 
-/// Habitat's form is written for all tasks together, so that only its refusal is asked for here.
-Result<ExpressTask> express_named(std::string_view form, const ExportRequest& request) {
-  if (form == "ai2thor") return express_ai2thor(request);
-  if (form == "virtualhome") return express_virtualhome(request);
-  if (form == "virtualhome-unity") return express_virtualhome_unity(request);
-  if (form == "behavior") return express_behavior(request);
-  return ExpressTask([](const FinishedTask& task) -> Result<ExpressedTask> {
-    return ExpressedTask{refused_by_habitat(task), nullptr};
-  });
-}
-
 /// Why a form does not express a task; "" where it does.
 std::string refusal_of(const ExpressTask& form, const FinishedTask& task) {
   auto expressed = form(task);
@@ -45,7 +34,18 @@ std::string refusal_of(const ExpressTask& form, const FinishedTask& task) {
 
 }  // namespace
 
-Result<std::string> write_expressed(const ExportRequest& request, const Result<ExpressTask>& express) {
+Result<ExpressTask> express_form(std::string_view form, const ExportRequest& request) {
+  if (form == "ai2thor") return express_ai2thor(request);
+  if (form == "virtualhome") return express_virtualhome(request);
+  if (form == "virtualhome-unity") return express_virtualhome_unity(request);
+  if (form == "behavior") return express_behavior(request);
+  if (form != "habitat") return Error{Error::Kind::Usage, std::string(form), {}, "is no form of a simulator"};
+  return ExpressTask([](const FinishedTask& task) -> Result<ExpressedTask> {
+    return ExpressedTask{refused_by_habitat(task), nullptr};
+  });
+}
+
+Result<ExportSummary> write_expressed(const ExportRequest& request, const Result<ExpressTask>& express) {
   if (!express) return express.error();
   const auto say = [&](const FinishedTask& task,
                        const std::filesystem::path& folder) -> Result<std::optional<std::string>> {
@@ -67,7 +67,7 @@ Result<std::string> write_expressed(const ExportRequest& request, const Result<E
 Result<TellForms> tell_forms(const ExportRequest& request) {
   std::array<ExpressTask, kSimulatorForms.size()> forms;
   for (std::size_t i = 0; i < forms.size(); ++i) {
-    auto form = express_named(kSimulatorForms[i].name, request);
+    auto form = express_form(kSimulatorForms[i].name, request);
     if (!form) return form.error();
     forms[i] = std::move(*form);
   }

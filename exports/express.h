@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "exports/finished_tasks.h"
@@ -30,8 +31,12 @@ Result<ExpressTask> express_behavior(const ExportRequest& request);
 /// Why Habitat's form does not express a task of Habitat; "" when it does.
 std::string refused_by_habitat(const FinishedTask& task);
 
+/// The one of these that a form of simulators (scene/simulator_forms.h) is written with; Habitat's, which is written
+/// for all tasks together, only says why it refuses. Errors: as above; Usage for a name that is no such form.
+Result<ExpressTask> express_form(std::string_view form, const ExportRequest& request);
+
 /// Writes each task of a data set that is expressed, and left_out.jsonl. Errors: as write_task_folder.
-Result<std::string> write_expressed(const ExportRequest& request, const Result<ExpressTask>& express);
+Result<ExportSummary> write_expressed(const ExportRequest& request, const Result<ExpressTask>& express);
 
 /// What the forms of its simulator (scene/simulator_forms.h) say of a task with its demonstration in M1.
 struct ToldForms {

@@ -39,15 +39,21 @@ struct ExportRequest {
   std::string value(const std::string& option) const;
 };
 
+/// What an export tells its user.
+struct ExportSummary {
+  std::string text;  // lines without the last line break
+  std::string json;  // the same as one JSON object in a line
+};
+
 /// A format that `unietp export` writes: all that the command line, its help and the shell completions know of it.
 struct ExportFormat {
   std::string name;                   // "pddl"
   std::string help;                   // one line, lower case, no full stop
   std::vector<ExportOption> options;  // that only some formats take
   bool needs_knowledge = true;        // reads `backends`
-  /// Writes the data set and returns a summary for the user, lines without the last line break. Deterministic.
+  /// Writes the data set. Deterministic.
   /// Errors: those of reading the data set; Io; Usage for an `out` that exists or a value that does not fit.
-  Result<std::string> (*write)(const ExportRequest& request) = nullptr;
+  Result<ExportSummary> (*write)(const ExportRequest& request) = nullptr;
   bool is_form = false;                // tasks for programs of others, of which it may leave some out (`forms` asks it)
   std::optional<Simulator> only = {};  // the simulator whose tasks it writes; nullopt: all
 };

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstdio>
 #include <map>
 
@@ -10,6 +9,7 @@
 #include "core/staged_folder.h"
 #include "core/text.h"
 #include "exports/formats.h"
+#include "exports/task_folder.h"
 #include "record/dataset_reader.h"
 
 namespace unietp {
@@ -39,19 +39,6 @@ Result<Reasons> refused_by(const ExportFormat& form, ExportRequest request, cons
   return reasons;
 }
 
-/// "the support bowl" for "the support bowl_12", so that reasons can be counted.
-std::string without_numbers(const std::string& reason) {
-  std::vector<std::string> words = split(reason, ' ');
-  for (std::string& word : words) {
-    const auto at = word.rfind('_');
-    const auto is_digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
-    if (at == std::string::npos || at == 0 || at + 1 >= word.size() || !is_digit(word[at + 1])) continue;
-    const auto end = std::find_if_not(word.begin() + static_cast<std::ptrdiff_t>(at) + 1, word.end(), is_digit);
-    word.erase(word.begin() + static_cast<std::ptrdiff_t>(at), end);
-  }
-  return join(words, " ");
-}
-
 /// Of the tasks of one simulator, how many a form expresses, and for each reason how many it does not.
 struct Share {
   std::size_t tasks = 0, expressed = 0;
@@ -70,18 +57,34 @@ std::string table_of(const std::map<Simulator, std::vector<Share>>& shares, cons
                           std::string(name_of(simulator)).c_str(), forms[i].name.c_str(), share.tasks, share.expressed,
                           100.0 * static_cast<double>(share.expressed) / static_cast<double>(share.tasks));
       table += row.data();
-      std::vector<std::pair<std::string, std::size_t>> reasons(share.reasons.begin(), share.reasons.end());
-      std::stable_sort(reasons.begin(), reasons.end(),
-                       [](const auto& a, const auto& b) { return a.second > b.second; });
-      for (const auto& [reason, count] : reasons) table += "  " + std::to_string(count) + ": " + reason + "\n";
+      table += reason_lines(share.reasons).substr(share.reasons.empty() ? 0 : 1);
+      if (!share.reasons.empty()) table += "\n";
     }
   }
   table.pop_back();
   return table;
 }
 
+/// The same for programs: an object for each row.
+std::string json_of(const std::map<Simulator, std::vector<Share>>& shares, const std::vector<ExportFormat>& forms,
+                    const fs::path& out) {
+  Json rows = Json::array();
+  for (const auto& [simulator, by_form] : shares) {
+    for (std::size_t i = 0; i < forms.size(); ++i) {
+      const Share& share = by_form[i];
+      if (share.tasks == 0) continue;
+      rows.push_back({{"simulator", name_of(simulator)},
+                      {"form", forms[i].name},
+                      {"tasks", share.tasks},
+                      {"expressed", share.expressed},
+                      {"reasons", reasons_json(share.reasons)}});
+    }
+  }
+  return Json{{"out", out.string()}, {"forms", std::move(rows)}}.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 /// forms.jsonl: for each task the forms that express it, and of those that are for its simulator and do not, why.
-Result<std::string> write_forms(const ExportRequest& request) {
+Result<ExportSummary> write_forms(const ExportRequest& request) {
   std::vector<ExportFormat> forms = export_formats();
   std::erase_if(forms, [](const ExportFormat& format) { return !format.is_form; });
   std::map<Simulator, std::vector<Share>> shares;
@@ -125,7 +128,7 @@ Result<std::string> write_forms(const ExportRequest& request) {
     return write_file(aside, "forms.jsonl", lines);
   });
   if (!written) return written.error();
-  return table_of(shares, forms);
+  return ExportSummary{table_of(shares, forms), json_of(shares, forms, request.out)};
 }
 
 }  // namespace

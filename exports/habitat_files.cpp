@@ -67,7 +67,7 @@ class HabitatFolder {
 };
 
 /// `episodes.json.gz` for habitat-lab, and a scene data set with stand-ins for all models that are not Habitat's own.
-Result<std::string> write_habitat_files(const ExportRequest& request) {
+Result<ExportSummary> write_habitat_files(const ExportRequest& request) {
   HabitatFolder made(request);
   const auto tasks = write_task_folder(
       request.dataset, {Mode::M1}, request.out,

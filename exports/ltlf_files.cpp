@@ -63,7 +63,7 @@ Result<std::string> goal_line(const FinishedTask& task, const std::vector<Mode>&
 }
 
 /// goals.jsonl and left_out.jsonl.
-Result<std::string> write_ltlf(const ExportRequest& request) {
+Result<ExportSummary> write_ltlf(const ExportRequest& request) {
   const auto modes = shown_modes(request.dataset);
   std::optional<FileWriter> file;
   const auto write = [&](const fs::path& folder, const std::string& line) -> Result<Done> {

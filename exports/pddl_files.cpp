@@ -84,7 +84,7 @@ Result<std::optional<std::string>> say(const FinishedTask& finished, const std::
 
 /// `<simulator>/domain.pddl`, `<simulator>/<task>.pddl`, the demonstration as `<simulator>/<task>.plan`,
 /// left_out.jsonl.
-Result<std::string> write_pddl(const ExportRequest& request) {
+Result<ExportSummary> write_pddl(const ExportRequest& request) {
   const auto made = write_task_folder(
       request.dataset, {Mode::M1}, request.out,
       [&](const FinishedTask& task, const fs::path& folder) { return say(task, request.backends, folder); });

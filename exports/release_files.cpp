@@ -84,7 +84,7 @@ class Exporter {
 
 /// THOR.json, VH.json, Hab.json and BEHAVIOR.json, each a list of tasks as the paper's runner reads them; scene files;
 /// left_out.jsonl; and scenes.jsonl, which lists what is missing of each scene.
-Result<std::string> write_release(const ExportRequest& request) {
+Result<ExportSummary> write_release(const ExportRequest& request) {
   const auto [facts, wrong] = read_format_facts(request.data / "scene_files");
   if (!wrong.empty()) return wrong.front();
   Exporter exporter(request.backends, facts);
@@ -93,9 +93,11 @@ Result<std::string> write_release(const ExportRequest& request) {
       [&](const FinishedTask& task, const fs::path& folder) { return exporter.say(task, folder); },
       [&](const fs::path& folder) { return exporter.finish(folder); });
   if (!made) return made.error();
-  return std::to_string(made->said) + " tasks in " + request.out.string() + ", " +
-         std::to_string(exporter.with_scene()) + " of them with a scene record; " + std::to_string(made->left_out) +
-         " tasks left out";
+  ExportSummary summary = summary_of(*made, request.out);
+  summary.text = std::to_string(made->said) + " tasks in " + request.out.string() + ", " +
+                 std::to_string(exporter.with_scene()) + " of them with a scene record; " +
+                 std::to_string(made->left_out) + " tasks left out" + reason_lines(made->reasons);
+  return summary;
 }
 
 }  // namespace

@@ -273,7 +273,7 @@ std::string names_of(const std::vector<Mode>& modes) {
   return join(names, ", ");
 }
 
-Result<std::string> write_sft(const ExportRequest& request) {
+Result<ExportSummary> write_sft(const ExportRequest& request) {
   const auto options = options_of(request);
   if (!options) return options.error();
   const auto made = export_sft(request.dataset, request.backends, *options, request.out);
@@ -284,7 +284,14 @@ Result<std::string> write_sft(const ExportRequest& request) {
   if (made->pictures > 0) summary += ", " + std::to_string(made->pictures) + " pictures";
   if (!made->left_out.empty())
     summary += "\n" + names_of(made->left_out) + " left out: it shows only pictures; use --observation image or both";
-  return summary;
+  std::vector<std::string> left_out;
+  for (const Mode mode : made->left_out) left_out.emplace_back(name_of(mode));
+  const nlohmann::ordered_json json{{"out", request.out.string()},
+                                    {"samples", made->samples},
+                                    {"mistakes", made->mistakes},
+                                    {"pictures", made->pictures},
+                                    {"modes_left_out", left_out}};
+  return ExportSummary{std::move(summary), json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)};
 }
 
 }  // namespace

@@ -7,7 +7,7 @@ namespace unietp {
 namespace {
 
 /// `<scene>.scene.json.gz` for each task, for readers that do not want to apply a task's changes to its home.
-Result<std::string> write_starts(const ExportRequest& request) {
+Result<ExportSummary> write_starts(const ExportRequest& request) {
   using LeftOut = Result<std::optional<std::string>>;
   const auto say = [](const FinishedTask& task, const std::filesystem::path& folder) {
     const auto file = task.start.id + ".scene.json.gz";

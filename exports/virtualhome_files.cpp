@@ -1,4 +1,5 @@
 #include <memory>
+#include <optional>
 
 #include <nlohmann/json.hpp>
 
@@ -7,18 +8,19 @@
 #include "exports/virtualhome_program.h"
 #include "exports/virtualhome_unity.h"
 #include "interchange/formats.h"
+#include "interchange/virtualhome_prefab.h"
 
 namespace unietp {
 namespace {
 
 /// For each task of VirtualHome `<task>.json`, its start as an environment graph, `<task>.txt`, the demonstration in M1
 /// as a program, and `<task>.names.json`, our ids with the numbers of their nodes; and left_out.jsonl.
-Result<std::string> write_virtualhome_files(const ExportRequest& request) {
+Result<ExportSummary> write_virtualhome_files(const ExportRequest& request) {
   return write_expressed(request, express_virtualhome(request));
 }
 
-/// The same of the tasks whose programs Unity's table allows.
-Result<std::string> write_virtualhome_unity_files(const ExportRequest& request) {
+/// The same of the tasks that Unity can do.
+Result<ExportSummary> write_virtualhome_unity_files(const ExportRequest& request) {
   return write_expressed(request, express_virtualhome_unity(request));
 }
 
@@ -34,17 +36,34 @@ Result<std::vector<AssetFile>> files_of(const FinishedTask& task, const std::vec
       {record.id + ".names.json", names.dump(1) + "\n"}};
 }
 
-/// `denied`: why a program is not allowed, or "".
-ExpressTask express(FormatFacts read, const ExportRequest& request,
-                    std::function<std::string(const std::vector<std::string>& program)> denied) {
+/// Why Unity cannot place an object that the demonstration names or holds; "" where it has prefabs of all.
+std::string without_prefab(const FinishedTask& task, const Knowledge& knowledge, const FormatFacts& facts) {
+  std::vector<std::string> named = task.start.agent.held;
+  for (const StepRecord& step : task.shown.at(Mode::M1).steps) {
+    for (const Argument& argument : step.command.args) named.push_back(argument.id);
+  }
+  for (const std::string& id : named) {
+    const Node* const node = find_node(task.start, id);  // none for a room
+    if (node != nullptr && virtualhome_prefab(*node, knowledge, facts).name.empty())
+      return node->category + ": Unity has no prefab of it";
+  }
+  return "";
+}
+
+/// `unity`: what Unity's classes can do, for the tasks that it can do; nothing for all.
+ExpressTask express(FormatFacts read, const ExportRequest& request, std::optional<UnityProperties> unity) {
   const auto facts = std::make_shared<const FormatFacts>(std::move(read));
-  return [facts, &request, denied = std::move(denied)](const FinishedTask& task) -> Result<ExpressedTask> {
+  return [facts, &request, unity = std::move(unity)](const FinishedTask& task) -> Result<ExpressedTask> {
     if (task.start.simulator != Simulator::Virtualhome) return ExpressedTask{"not a task of VirtualHome", nullptr};
     const Knowledge& knowledge = *backend_of(request.backends, task.start).knowledge;
     auto program =
         virtualhome_program(task.shown.at(Mode::M1), task.start, virtualhome_names(task.start, knowledge, *facts));
     if (!program) return ExpressedTask{program.error().message, nullptr};
-    if (auto why = denied(*program); !why.empty()) return ExpressedTask{std::move(why), nullptr};
+    if (unity) {
+      auto why = denied_by_unity(*program, *unity);
+      if (why.empty()) why = without_prefab(task, knowledge, *facts);
+      if (!why.empty()) return ExpressedTask{std::move(why), nullptr};
+    }
     return ExpressedTask{"", [&task, &knowledge, facts, program = std::move(*program)] {
                            return files_of(task, program, knowledge, *facts);
                          }};
@@ -56,16 +75,15 @@ ExpressTask express(FormatFacts read, const ExportRequest& request,
 Result<ExpressTask> express_virtualhome(const ExportRequest& request) {
   auto [facts, wrong] = read_format_facts(request.data / "scene_files");
   if (!wrong.empty()) return wrong.front();
-  return express(std::move(facts), request, [](const auto&) { return std::string(); });
+  return express(std::move(facts), request, std::nullopt);
 }
 
 Result<ExpressTask> express_virtualhome_unity(const ExportRequest& request) {
   auto [facts, wrong] = read_format_facts(request.data / "scene_files");
   if (!wrong.empty()) return wrong.front();
-  auto classes = read_unity_classes(request.data / "scene_files" / "virtualhome_unity.csv");
-  if (!classes) return classes.error();
-  return express(std::move(facts), request,
-                 [classes = std::move(*classes)](const auto& program) { return denied_by_unity(program, classes); });
+  auto unity = read_unity_properties(request.data / "scene_files" / "virtualhome_unity.csv");
+  if (!unity) return unity.error();
+  return express(std::move(facts), request, std::move(*unity));
 }
 
 ExportFormat virtualhome_format() {
@@ -76,7 +94,7 @@ ExportFormat virtualhome_format() {
 
 ExportFormat virtualhome_unity_format() {
   return {"virtualhome-unity",
-          "the same, of the tasks that Unity's table of classes allows",
+          "the same, of the tasks that Unity's classes and prefabs allow",
           {},
           true,
           write_virtualhome_unity_files,

@@ -17,7 +17,6 @@ constexpr std::array kUnityNeeds{UnityNeed{"Grab", "GRABBABLE"},       UnityNeed
                                  UnityNeed{"PutIn", "CONTAINERS"},     UnityNeed{"Open", "CAN_OPEN"},
                                  UnityNeed{"Close", "CAN_OPEN"},       UnityNeed{"SwitchOn", "HAS_SWITCH"},
                                  UnityNeed{"SwitchOff", "HAS_SWITCH"}, UnityNeed{"Sit", "SITTABLE"}};
-constexpr std::string_view kUnityTable = "metadata:properties_data_unity.json";
 
 /// What stands between the last `open` of a text and the `close` after it.
 std::string_view last_between(std::string_view text, char open, char close) {
@@ -32,7 +31,7 @@ bool has_property(const UnityProperties& properties, const std::string& name, st
 
 }  // namespace
 
-Result<UnityClasses> read_unity_classes(const std::filesystem::path& file) {
+Result<UnityProperties> read_unity_properties(const std::filesystem::path& file) {
   const auto text = read_file(file);
   if (!text) return text.error();
   const CsvFile rows = read_csv(file.string(), *text);
@@ -40,13 +39,12 @@ Result<UnityClasses> read_unity_classes(const std::filesystem::path& file) {
   const auto& header = rows.header;
   if (header.size() != 3 || header[0].text != "class" || header[1].text != "property" || header[2].text != "source")
     return Error{Error::Kind::Schema, file.string(), {1, 1}, "expected the columns class, property and source"};
-  UnityClasses classes;
-  for (const CsvRow& row : rows.rows)
-    (row[2].text == kUnityTable ? classes.table : classes.apartments)[row[0].text].insert(row[1].text);
-  return classes;
+  UnityProperties properties;
+  for (const CsvRow& row : rows.rows) properties[row[0].text].insert(row[1].text);
+  return properties;
 }
 
-std::string denied_by_unity(const std::vector<std::string>& program, const UnityClasses& classes) {
+std::string denied_by_unity(const std::vector<std::string>& program, const UnityProperties& properties) {
   for (const std::string& line : program) {
     const std::string_view action = last_between(line, '[', ']');
     const auto* const need = std::find_if(kUnityNeeds.begin(), kUnityNeeds.end(),
@@ -54,10 +52,8 @@ std::string denied_by_unity(const std::vector<std::string>& program, const Unity
     if (need == kUnityNeeds.end()) continue;
     std::string name(last_between(line, '<', '>'));  // that of scripts: "washing_machine"
     name.erase(std::remove(name.begin(), name.end(), '_'), name.end());
-    if (has_property(classes.table, name, need->property)) continue;
-    const bool in_apartments = has_property(classes.apartments, name, need->property);
-    return "Unity's table denies " + std::string(action) + " of " + name +
-           (in_apartments ? ", which the graphs of its own apartments allow" : "");
+    if (!has_property(properties, name, need->property))
+      return "Unity's table denies " + std::string(action) + " of " + name;
   }
   return "";
 }

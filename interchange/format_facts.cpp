@@ -14,7 +14,7 @@
 namespace unietp {
 namespace {
 
-constexpr double kWidestFrame_m = 10;
+constexpr double kWidestFrame_m = 10, kLargestPrefab_m = 100;
 
 /// Calls `take` for each row of a table whose first column is its key.
 void read_table(const std::filesystem::path& file, const std::vector<std::string>& columns, std::vector<Error>& errors,
@@ -58,6 +58,16 @@ void read_virtualhome_words(const std::filesystem::path& folder, FormatFactsRead
              [&](RowReader& row, std::string word) {
                facts.virtualhome_properties.push_back(
                    {std::move(word), row.one_of("affordance", affordance_names(), "affordance")});
+             });
+  read_table(folder / "virtualhome_prefabs.csv", {"prefab", "class", "width_m", "depth_m", "height_m", "source"},
+             errors, [&](RowReader& row, std::string name) {
+               Prefab prefab{std::move(name)};
+               if (!row.text("width_m").empty()) {
+                 int axis = 0;
+                 for (const char* const column : {"width_m", "depth_m", "height_m"})
+                   prefab.size[axis++] = row.number(column, 0, kLargestPrefab_m, false);
+               }
+               facts.virtualhome_prefabs[row.required("class")].push_back(std::move(prefab));
              });
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "scene/geometry.h"
 #include "scene/states.h"
 
 namespace unietp {
@@ -17,6 +18,12 @@ namespace unietp {
 struct DoorModel {
   std::string name;              // "Doorframe_1"
   double width = 0, height = 0;  // meters
+};
+
+/// A model of VirtualHome's that Unity places by its name.
+struct Prefab {
+  std::string name;          // "PRE_FUR_Kitchen_table_01_01"; "" for none
+  Vec3 size = Vec3::Zero();  // width, depth, height in meters; zero where upstream tells none
 };
 
 /// VirtualHome's word for something, and ours.
@@ -38,6 +45,8 @@ struct FormatFacts {
   std::set<std::string, std::less<>> building_words = {};            // "doorframe": letters and digits, lower case
   /// Of ProcTHOR's models the affordances of their categories that they lack: a mug that cannot be picked up.
   std::map<std::string, std::set<std::string>, std::less<>> model_lacks = {};
+  /// The prefabs of each class of VirtualHome that the knowledge base has no models of.
+  std::map<std::string, std::vector<Prefab>, std::less<>> virtualhome_prefabs = {};
 };
 
 /// The facts, of use only without errors.
@@ -46,7 +55,7 @@ struct FormatFactsReading {
   std::vector<Error> errors;  // empty when sound
 };
 /// Reads replicacad_words.csv, procthor_doors.csv, procthor_floors.csv, virtualhome_rooms.csv, virtualhome_states.csv,
-/// virtualhome_properties.csv, building_words.csv and procthor_lacks.csv of a folder.
+/// virtualhome_properties.csv, virtualhome_prefabs.csv, building_words.csv and procthor_lacks.csv of a folder.
 /// Errors, all of them: Io; Parse and Schema with file, line and column: a column or a row that is missing, a bad
 /// length, an unknown state or affordance, a name that stands twice.
 FormatFactsReading read_format_facts(const std::filesystem::path& folder);

@@ -13,6 +13,7 @@
 #include "interchange/formats.h"
 #include "interchange/virtualhome_frame.h"
 #include "interchange/virtualhome_graph.h"
+#include "interchange/virtualhome_prefab.h"
 #include "interchange/virtualhome_words.h"
 
 namespace unietp {
@@ -220,9 +221,10 @@ class Importer {
 
   void place(const VirtualhomeNode& node, SourceObject& object) {
     const Vec3 extents = from_unity(node.extents);
-    const Typical typical = typical_of(node);
+    Typical typical = typical_of(node);
     object.pose.position = from_unity(node.centre);
     if (node.has_transform) {
+      if (const auto size = size_of_prefab(node.prefab, node.class_name, knowledge_, facts_)) typical.model = *size;
       object.pose.rotation = object_rotation_from_unity(node.rotation, node.prefab);
       if (const auto size =
               turned_size(extents, object.pose.rotation, typical, scale_from_unity(node.scale, node.prefab))) {

@@ -12,6 +12,7 @@
 #include "interchange/formats.h"
 #include "interchange/own_ids.h"
 #include "interchange/virtualhome_frame.h"
+#include "interchange/virtualhome_prefab.h"
 #include "interchange/virtualhome_words.h"
 
 namespace unietp {
@@ -23,20 +24,8 @@ constexpr double kClose_m = 1.5;       // CLOSE: the largest gap between two box
 constexpr double kFacing_m = 5;        // FACING: the largest distance of the middles, as measured there
 constexpr double kFacingCosine = 0.5;  // and within 60° of where the seen thing's front looks; curated
 constexpr double kFrame_m = 0.1223;    // thickness of upstream's door frames
-constexpr double kSmallestFit = 0.2;   // a model whose sides differ by more than this part is another thing
 
 Json json_of(const Vec3& v) { return Json::array({v.x(), v.y(), v.z()}); }
-
-/// The model of the category whose box is nearest to the size, nullptr when none is near.
-const Asset* nearest_model(const Knowledge& knowledge, const Node& node) {
-  const Asset* best = nullptr;
-  double least = kSmallestFit;
-  for (const Asset* asset : knowledge.assets_of(node.category)) {
-    const double differs = (asset->size.cwiseQuotient(node.size) - Vec3::Ones()).cwiseAbs().maxCoeff();
-    if (differs < least) least = differs, best = asset;
-  }
-  return best;
-}
 
 class Exporter {
  public:
@@ -171,12 +160,10 @@ class Exporter {
       left_out_.push_back(node.id + ": VirtualHome has no class \"" + node.category + "\"");
       return;
     }
-    const Asset* model = knowledge_.asset(node.asset);
-    if (model == nullptr) model = nearest_model(knowledge_, node);
     const Bounds bounds = bounds_of(node.pose, node.size);
-    const std::string prefab = model != nullptr ? model->name : node.asset;
+    const auto [prefab, its_size] = virtualhome_prefab(node, knowledge_, facts_);
     const int id = add(node.category, virtualhome_group(*category, knowledge_), prefab, bounds, own_number(node));
-    const Vec3 scale = node.size.cwiseQuotient(model != nullptr ? model->size : category->size);
+    const Vec3 scale = node.size.cwiseQuotient(its_size.isZero() ? category->size : its_size);
     transform(bounds, object_rotation_to_unity(node.pose.rotation, prefab), scale_to_unity(scale, prefab));
     Json& json = nodes_.back();
     for (const auto& [property, affordance] : facts_.virtualhome_properties) {

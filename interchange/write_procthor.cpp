@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -189,7 +190,7 @@ class HouseWriter {
     for (const std::size_t i : order) {
       if (!made[i]) continue;
       auto holder = holder_[i];
-      while (holder && !made[*holder]) holder = holder_[*holder];
+      while (holder && !(made[*holder] && can_hold(scene_.nodes[*holder]))) holder = holder_[*holder];
       if (!holder) continue;
       (*made[*holder])["children"].push_back(*made[i]);
       inside[i] = true;
@@ -199,6 +200,14 @@ class HouseWriter {
       if (made[i] && !inside[i]) objects.push_back(std::move(*made[i]));
     }
     return objects;
+  }
+
+  /// Whether things can be on or in an object of the house there: a plant that something lies on is no receptacle, and
+  /// what heats takes what it heats.
+  bool can_hold(const Node& node) const {
+    constexpr std::array kHolding{"receptacle", "container", "heat_source"};
+    return std::any_of(kHolding.begin(), kHolding.end(),
+                       [&](const char* one) { return knowledge_.has(node.category, one); });
   }
 
   /// What folds as a box around it, opened as far as it is.

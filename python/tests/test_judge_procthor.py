@@ -10,7 +10,7 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parent.parent / "judges"))
 
-from judge_procthor import judge  # noqa: E402
+from judge_procthor import judge, kind_of  # noqa: E402
 
 DATABASES = SimpleNamespace(
     assets={
@@ -19,6 +19,8 @@ DATABASES = SimpleNamespace(
         "Mug_still": {"objectType": "Mug", "primaryProperty": "Static", "secondaryProperties": []},
     },
     holes={"Doorway_1"},
+    places={("Mug", "DiningTable"), ("Mug", "SinkBasin")},
+    plans={"FloorPlan9": {"Mug|+00.10|+00.90|+00.20": {"objectType": "Mug"}, "Fridge|+01.00|+00.90|+00.20": {"objectType": "Fridge"}}},
 )
 
 
@@ -105,3 +107,42 @@ def test_in_a_house_of_procthors_own_ids_need_not_name_rooms(tmp_path):
     assert faults(tmp_path, house, TASK | {"objects": names, "plan": []}) == ""
     mug(house)["position"].update(x=9.0)
     assert faults(tmp_path, house, TASK | {"objects": names, "plan": []}) == "mug-table|9|0|1 is 5.00 m outside all rooms"
+
+
+def test_a_thing_where_no_table_has_one_is_told_and_is_no_fault(tmp_path):
+    house = sound()
+    for kind, asset in (("Sink", "Sink_1"), ("Bed", "Bed_1")):
+        mug_there = thing(f"Mug|2|{kind}", "Mug_1", "Mug", 1.0)
+        house["objects"].append(thing(f"{kind}|2|9", asset, kind, 1.0, children=[mug_there]))
+    (tmp_path / TASK["house"]).write_text(json.dumps(house))
+    (tmp_path / "ai2thor-00001.json").write_text(json.dumps(TASK))
+    receptacle = {"primaryProperty": "Static", "secondaryProperties": ["Receptacle"]}
+    more = {"Sink_1": receptacle | {"objectType": "Sink"}, "Bed_1": receptacle | {"objectType": "Bed"}}
+    row = judge(tmp_path / "ai2thor-00001.json", SimpleNamespace(**vars(DATABASES) | {"assets": DATABASES.assets | more}))
+    assert (row["faults"], row["places"], row["unlisted"]) == ("", 3, "Mug in or on Bed: 1")
+
+
+def test_the_type_of_a_part_is_its_last_word():
+    assert kind_of("Mug|+00.10|+00.90|+00.20") == "Mug"
+    assert kind_of("Sink|+00.48|+00.89|-02.00|SinkBasin") == "SinkBasin"
+
+
+MUG = "Mug|+00.10|+00.90|+00.20"
+PLAN = {"scene": "FloorPlan9", "rooms": [{"id": "room|2", "floorPolygon": corners(0, 2)}], "metadata": {}}
+POSES = [{"objectId": MUG, "center": {"x": 0.1, "y": 0.9, "z": 0.2}}]
+
+
+def planned(poses=POSES, **objects):
+    start = [{"call": {"action": "SetObjectPoses", "objectPoses": poses}}, {"unless": {}, "call": {"action": "CleanObject"}}]
+    return TASK | {"objects": {"mug_1": MUG, **objects}, "start": start}
+
+
+def test_a_task_in_a_floor_plan_names_and_puts_what_the_plan_has(tmp_path):
+    assert faults(tmp_path, PLAN, planned()) == ""
+    assert faults(tmp_path, PLAN, planned(slice=MUG + "|MugSliced_1")) == "", "a piece"
+    assert faults(tmp_path, PLAN, planned(pan_1="Pan|1")) == "pan_1: FloorPlan9 has no Pan|1"
+    assert faults(tmp_path, PLAN | {"scene": "FloorPlan500"}, planned()) == "no floor plan FloorPlan500"
+    far = [POSES[0] | {"center": {"x": -0.5, "y": 0.9, "z": 0.2}}]
+    assert faults(tmp_path, PLAN, planned(far)) == f"{MUG} is put 0.50 m outside the room"
+    other = [POSES[0] | {"objectId": "Pan|1"}]
+    assert faults(tmp_path, PLAN, planned(other)) == "FloorPlan9 has no Pan|1 to put anywhere"

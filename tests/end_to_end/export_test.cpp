@@ -180,6 +180,40 @@ TEST(ExportForms, ATaskHasAFormExactlyWhereThatExportWritesIt) {
   }
 }
 
+TEST(Export, ReasonsAreCountedInTheSummaryAndAsJson) {
+  const ScratchFolder folder;
+  for (const std::string form : {"ai2thor", "virtualhome-unity", "bddl", "unietp-release", "forms"}) {
+    SCOPED_TRACE(form);
+    const auto text = run_program({"export", "--format", form, small_data_set().string(), "--out", folder.at(form)});
+    const auto json = run_program(
+        {"export", "--json", "--format", form, small_data_set().string(), "--out", folder.at(form + "-json")});
+    ASSERT_EQ(text.code, 0) << text.err;
+    ASSERT_EQ(json.code, 0) << json.err;
+    const auto summary = nlohmann::json::parse(json.out);
+    std::map<std::string, std::size_t> counted, lines;  // without the numbers of objects
+    const auto plain = [](const std::string& reason) {
+      return std::regex_replace(reason, std::regex("([^ ])_[0-9]+"), "$1");
+    };
+    if (form == "forms") {
+      for (const auto& row : summary["forms"])
+        for (const auto& one : row["reasons"])
+          counted[row["form"].get<std::string>() + one["reason"].get<std::string>()] += one["tasks"].get<std::size_t>();
+      for (const auto& line : json_lines(fs::path(folder.at(form)) / "forms.jsonl"))
+        for (const auto& [name, reason] : line["refused"].items()) ++lines[name + plain(reason.get<std::string>())];
+    } else {
+      EXPECT_EQ(summary["tasks"].get<std::size_t>() + summary["left_out"].get<std::size_t>(),
+                json_lines(small_data_set() / "tasks.jsonl").size());
+      for (const auto& one : summary["reasons"]) counted[one["reason"]] = one["tasks"];
+      for (const auto& line : json_lines(fs::path(folder.at(form)) / "left_out.jsonl"))
+        ++lines[plain(line["reason"].get<std::string>())];
+      for (const auto& [reason, count] : counted)
+        EXPECT_NE(text.out.find("\n  " + std::to_string(count) + ": " + reason + "\n"), std::string::npos) << reason;
+    }
+    EXPECT_FALSE(lines.empty());
+    EXPECT_EQ(counted, lines);
+  }
+}
+
 TEST(Export, AnOptionOfAnotherFormatIsRefused) {
   const ScratchFolder folder;
   const auto ended = run_program(

@@ -62,6 +62,7 @@ void read_scene_file_tables(const Folder& folder, Errors& errors) {
       {"virtualhome_rooms.csv", "class,room,source\nhallway,corridor,x\n"},
       {"virtualhome_states.csv", "word,state,source\nON,power_on,x\n"},
       {"virtualhome_properties.csv", "property,affordance,source\nGRABBABLE,pickupable,x\n"},
+      {"virtualhome_prefabs.csv", "prefab,class,width_m,depth_m,height_m,source\nBed_1,bed,1,2,0.5,x\n"},
       {"building_words.csv", "word,source\nwall,x\n"},
       {"procthor_lacks.csv", "model,lacks,source\nMug_9,pickupable,x\n"}};
   for (const auto& [name, text] : sound) {
@@ -120,7 +121,7 @@ const std::map<std::string, std::function<void(const Folder&, Errors&)>, std::le
        }},
       {"virtualhome_unity.csv",
        [](const Folder& folder, Errors& errors) {
-         keep_error(read_unity_classes(folder.path() / "virtualhome_unity.csv"), errors);
+         keep_error(read_unity_properties(folder.path() / "virtualhome_unity.csv"), errors);
        }},
       {"benchmark-homes.csv",
        [](const Folder& folder, Errors& errors) { keep_error(read_known_homes(folder.path()), errors); }},
@@ -130,6 +131,7 @@ const std::map<std::string, std::function<void(const Folder&, Errors&)>, std::le
       {"virtualhome_rooms.csv", read_scene_file_tables},
       {"virtualhome_states.csv", read_scene_file_tables},
       {"virtualhome_properties.csv", read_scene_file_tables},
+      {"virtualhome_prefabs.csv", read_scene_file_tables},
       {"building_words.csv", read_scene_file_tables},
       {"procthor_lacks.csv", read_scene_file_tables},
   };

@@ -29,6 +29,8 @@ FormatFactsReading reading_of(const std::string& words, const std::string& doors
       {"virtualhome_rooms.csv", "class,room,source\nhallway,corridor,curated\nentrance_hall,corridor,curated\n"},
       {"virtualhome_states.csv", "word,state,source\nON,power_on,curated\n"},
       {"virtualhome_properties.csv", "property,affordance,source\nGRABBABLE,pickupable,curated\n"},
+      {"virtualhome_prefabs.csv",
+       "prefab,class,width_m,depth_m,height_m,source\nBed_1,bed,1,2,0.5,curated\nBed_2,bed,,,,curated\n"},
       {"building_words.csv", "word,source\ndoorframe,curated\n"},
       {"procthor_lacks.csv", "model,lacks,source\nFixed_Mug,fillable|pickupable,curated\n"}};
   for (const auto& [name, text] : others) texts[name] = text;
@@ -65,6 +67,9 @@ TEST(FormatFacts, AreReadFromTheirTables) {
   EXPECT_EQ(virtualhome_state(Predicate::PowerOn, facts), "ON");
   ASSERT_EQ(facts.virtualhome_properties.size(), 1U);
   EXPECT_EQ(facts.virtualhome_properties[0].ours, "pickupable");
+  ASSERT_EQ(facts.virtualhome_prefabs.at("bed").size(), 2U);
+  EXPECT_EQ(facts.virtualhome_prefabs.at("bed")[0].size, Vec3(1, 2, 0.5));
+  EXPECT_EQ(facts.virtualhome_prefabs.at("bed")[1].size, Vec3(0, 0, 0)) << "not told";
   EXPECT_TRUE(is_of_the_building("Door_Frame", facts));
   EXPECT_FALSE(is_of_the_building("Drawer", facts));
 }

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <iostream>
 #include <numbers>
+#include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -216,6 +217,38 @@ TEST(Procthor, AKnifeLiesFlatAndALaptopIsShut) {
   EXPECT_NEAR(knife["position"]["y"], lies.z() / 2, 0.001);
   EXPECT_EQ(laptop["openness"], 0.0);
   EXPECT_GT(knowledge.asset(laptop["assetId"].get<std::string>())->size.z(), 0.1);
+}
+
+/// In our physics a phone can lie on a plant, and a plant on a table.
+TEST(Procthor, WhatLiesOnAPlantIsOfWhatThePlantStandsOn) {
+  const Knowledge& knowledge = committed_knowledge(Simulator::Ai2thor);
+  Scene scene = small_home(knowledge, 1);
+  scene.nodes.clear();
+  scene.edges.clear();
+  Vec2 middle = Vec2::Zero();
+  for (const Vec2& corner : scene.rooms[0].polygon)
+    middle += corner / static_cast<double>(scene.rooms[0].polygon.size());
+  double height = 0;
+  for (const char* const category : {"DiningTable", "HousePlant", "CellPhone"}) {
+    Node node;
+    node.id = node.category = category;
+    node.movable = category != std::string("DiningTable");
+    node.size = knowledge.find(category)->size;
+    node.pose.position << middle, height + node.size.z() / 2;
+    height += node.size.z();
+    scene.nodes.push_back(node);
+  }
+  scene.edges = {{Predicate::On, "HousePlant", "DiningTable"}, {Predicate::On, "CellPhone", "HousePlant"}};
+  const auto written = write_procthor(scene, knowledge, format_facts());
+  ASSERT_TRUE(written) << format(written.error());
+  const auto house = nlohmann::json::parse(written->text);
+  ASSERT_EQ(house["objects"].size(), 1U) << ::testing::PrintToString(written->left_out);
+  std::set<std::string> on_table;
+  for (const auto& child : house["objects"][0]["children"]) {
+    on_table.insert(child["objectType"].get<std::string>());
+    EXPECT_FALSE(child.contains("children"));
+  }
+  EXPECT_EQ(on_table, (std::set<std::string>{"CellPhone", "HousePlant"}));
 }
 
 TEST(Procthor, AHouseThatIsWrittenAndReadIsTheSameHome) {

@@ -1,7 +1,9 @@
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <map>
 #include <numbers>
+#include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,6 +13,7 @@
 #include "core/text.h"
 #include "import_rates.h"
 #include "interchange/formats.h"
+#include "interchange/virtualhome_prefab.h"
 #include "interchange/virtualhome_words.h"
 #include "small_home.h"
 #include "tests/support/needs.h"
@@ -184,6 +187,72 @@ TEST(Virtualhome, WhatGoesOutComesInTheSameForAnySeed) {
                                 profile_of(Simulator::Virtualhome), format_facts(), {.settle = false});
     ASSERT_TRUE(again) << format(again.error());
     EXPECT_THAT(differences(home, again->scene, 1e-6), IsEmpty());
+  }
+}
+
+Node of_class(const std::string& category, const Vec3& size) {
+  Node node;
+  node.id = category + "_1", node.category = category, node.size = size;
+  return node;
+}
+
+TEST(Virtualhome, AThingOfOursHasTheNearestPrefabOfItsClass) {
+  const Knowledge& knowledge = committed_knowledge(Simulator::Virtualhome);
+  const auto prefab = [&](const Node& node) { return virtualhome_prefab(node, knowledge, format_facts()).name; };
+  const Asset& fridge = *knowledge.asset_rows_of("fridge").back();
+  const Asset* const nearest = knowledge.asset(prefab(of_class("fridge", fridge.size)));
+  ASSERT_NE(nearest, nullptr);
+  EXPECT_EQ(nearest->category, "fridge");
+  EXPECT_EQ(nearest->size, fridge.size) << "which several have";
+  EXPECT_FALSE(prefab(of_class("fridge", 5 * fridge.size)).empty()) << "is scaled, however odd the size";
+  EXPECT_EQ(prefab(of_class("washingmachine", {0.6, 0.6, 0.9})), "Dark_Grey_Washing_Machine") << "of the table";
+  EXPECT_EQ(prefab(of_class("kitchencabinet", {0.6, 0.6, 0.9})), "kitchen_cabinet") << "of unknown size";
+  Node own = of_class("fridge", fridge.size);
+  own.asset = "PRE_APP_Their_own";
+  EXPECT_EQ(prefab(own), own.asset);
+  FormatFacts none = format_facts();
+  none.virtualhome_prefabs.clear();
+  EXPECT_EQ(virtualhome_prefab(of_class("kitchencabinet", {1, 1, 1}), knowledge, none).name, "");
+  for (const Category& category : knowledge.categories())
+    EXPECT_FALSE(prefab(of_class(category.name, category.size)).empty()) << category.name;
+}
+
+TEST(Virtualhome, APrefabIsScaledToTheBoxOfTheThing) {
+  Scene home = small_home(committed_knowledge(Simulator::Virtualhome), 1);
+  home.nodes.clear();
+  home.edges.clear();
+  Node node = of_class("washingmachine", {1, 0.5, 2});
+  node.pose = upright({1, 1, 1}, 0.3);
+  home.nodes.push_back(node);
+  const auto exported = write_virtualhome(home, committed_knowledge(Simulator::Virtualhome), format_facts());
+  ASSERT_TRUE(exported) << format(exported.error());
+  const Json graph = Json::parse(exported->text);
+  Json machine;
+  for (const Json& one : graph["nodes"]) {
+    if (one["class_name"] == "washingmachine") machine = one;
+  }
+  EXPECT_EQ(machine["prefab_name"], "Dark_Grey_Washing_Machine");
+  const Vec3 its = size_of_prefab("Dark_Grey_Washing_Machine", "washingmachine",
+                                  committed_knowledge(Simulator::Virtualhome), format_facts())
+                       .value();
+  const auto scale = machine["obj_transform"]["scale"].get<std::vector<double>>();  // along its x, up, its z
+  EXPECT_NEAR(scale.at(0) * its.x(), 1, 1e-9);
+  EXPECT_NEAR(scale.at(1) * its.z(), 2, 1e-9);
+  EXPECT_NEAR(scale.at(2) * its.y(), 0.5, 1e-9);
+}
+
+TEST(Virtualhome, ThePrefabsOfTheTableAreUpstreams) {
+  const auto text = read_maybe_gzip(upstream() / "virtualhome/PrefabClass.json");
+  if (!text) GTEST_SKIP() << needs::kSimulatorFiles;
+  std::map<std::string, std::set<std::string>> theirs;
+  const Json upstreams = Json::parse(*text);
+  for (const Json& row : upstreams["prefabClasses"]) {
+    std::string name = lower(row["className"].get<std::string>());
+    std::erase(name, '_');
+    for (const Json& prefab : row["prefabs"]) theirs[name].insert(prefab.get<std::string>());
+  }
+  for (const auto& [name, prefabs] : format_facts().virtualhome_prefabs) {
+    for (const Prefab& prefab : prefabs) EXPECT_TRUE(theirs[name].contains(prefab.name)) << name << ": " << prefab.name;
   }
 }
 
