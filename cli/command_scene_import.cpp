@@ -162,16 +162,16 @@ Exit import(const SceneImportOptions& options, const CommandLine& program) {
     outcomes[i].report = imported->report;
     return true;
   });
-  bool failed = false;
+  std::size_t failed = 0;
   for (std::size_t i = 0; i < homes.size(); ++i) {
     if (!outcomes[i].failure) continue;
-    failed = true;
+    ++failed;
     (void)std::fprintf(stderr, "%s: %s\n", homes[i].file.c_str(), format(*outcomes[i].failure).c_str());
   }
   options.json ? print_json(options, homes, outcomes) : print_table(homes, outcomes);
   if (!whole) return Exit::Interrupted;
-  if (unwritable) return Exit::BadInput;
-  return failed ? Exit::Wrong : Exit::Ok;
+  if (unwritable || failed == homes.size()) return Exit::BadInput;
+  return failed > 0 ? Exit::Wrong : Exit::Ok;
 }
 
 }  // namespace
@@ -184,7 +184,7 @@ void add_scene_import_command(CommandParser& group, CommandLine& program) {
       "OUT/ID.scene.json.gz, and OUT/ID.import.json lists everything that could not be taken over, with the reason. "
       "Files of the same names are replaced.\n\n"
       "Exit code 1: some homes could not be converted; they are listed, and the others are written. Exit code 2: a "
-      "file could not be read, and nothing is written.",
+      "file could not be read, or no home could be converted, and nothing is written.",
       {{"unietp scene import auto FloorPlan1.json TestScene1_graph.json.gz --out out/homes",
         "the format is detected for each file"},
        {"unietp scene import procthor houses.jsonl.gz --out out/houses", ""},

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/text.h"
+#include "interchange/foreign_json.h"
 #include "interchange/formats.h"
 #include "interchange/json_fields.h"
 #include "interchange/unity.h"
@@ -65,7 +66,7 @@ class Reader {
     SourceScene scene;
     scene.id = id;
     scene.simulator = Simulator::Ai2thor;
-    const std::size_t count = reader_.items(objects);
+    const std::size_t count = objects_in(reader_, objects);
     for (std::size_t i = 0; i < count && !reader_.error(); ++i) {
       scene.objects.push_back(object(reader_.item(objects, i)));
     }

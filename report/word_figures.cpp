@@ -4,10 +4,10 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <set>
 #include <sstream>
 
+#include "core/files.h"
 #include "core/rng.h"
 #include "core/text.h"
 #include "record/dataset_reader.h"
@@ -57,12 +57,13 @@ Error fault(const std::filesystem::path& file, int line, const std::string& what
 
 /// The cells of each line of a table without quotes; comment lines start with '#'.
 Result<std::vector<Words>> rows_of(const std::filesystem::path& file, std::size_t columns) {
-  std::ifstream in(file);
-  if (!in) return Error{Error::Kind::Io, file.string(), {}, "cannot be read"};
+  const auto text = read_file(file);
+  if (!text) return text.error();
   std::vector<Words> rows;
-  std::string line;
   bool heading = true;
-  for (int number = 1; std::getline(in, line); ++number) {
+  int number = 0;
+  for (const auto& line : split(*text, '\n')) {
+    ++number;
     if (line.empty() || line[0] == '#') continue;
     Words cells = split(line, ',');
     if (cells.size() != columns)

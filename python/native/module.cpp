@@ -28,6 +28,7 @@ NB_MODULE(_native, module) {
       },
       "Library, function, and whether its calls go to core/math_functions.cpp, for all libraries that this needs.");
   python::define_catalog(module);
+  python::define_data_files(module);
   python::define_settings(module);
   python::define_environment(module);
   python::define_batch(module);

@@ -1,6 +1,5 @@
 """The files of a data set as Python objects (docs/files.md)."""
 
-import gzip
 import json
 import os
 from collections.abc import Iterator, Sequence
@@ -9,6 +8,7 @@ from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, overload
 
+from unietp import _native
 from unietp._native import Error
 
 if TYPE_CHECKING:
@@ -76,22 +76,13 @@ def changed(scene: SceneGraph, change: dict[str, Any]) -> SceneGraph:
 
 
 class _Lines(Sequence[dict[str, Any]]):
-    """Lines of JSON, read when asked for; only their places are kept in memory."""
+    """The objects in the lines of a file, read when asked for."""
 
-    def __init__(self, path: Path):
-        self.path = path
-        self._ends: list[int] = []
-        try:
-            with path.open("rb") as file:
-                end = 0
-                for line in file:
-                    end += len(line)
-                    self._ends.append(end)
-        except OSError as error:
-            raise Error(f"{path}: {error.strerror}") from error
+    def __init__(self, lines: _native.RecordLines):
+        self._lines = lines
 
     def __len__(self) -> int:
-        return len(self._ends)
+        return len(self._lines)
 
     @overload
     def __getitem__(self, index: int) -> dict[str, Any]: ...
@@ -101,39 +92,27 @@ class _Lines(Sequence[dict[str, Any]]):
         if isinstance(index, slice):
             return [self[i] for i in range(*index.indices(len(self)))]
         if not -len(self) <= index < len(self):
-            raise IndexError(f"{self.path} has {len(self)} lines; there is none at {index}")
-        number = index % len(self)
-        begin = self._ends[number - 1] if number else 0
-        with self.path.open("rb") as file:
-            file.seek(begin)
-            return self._parsed(file.read(self._ends[number] - begin), number)
+            raise IndexError(f"{self._lines.name} has {len(self)} lines; there is none at {index}")
+        return self._lines.line(index % len(self))
 
-    def __iter__(self) -> Iterator[dict[str, Any]]:
-        with self.path.open("rb") as file:
-            for number, line in enumerate(file):
-                yield self._parsed(line, number)
-
-    def _parsed(self, line: bytes, number: int) -> dict[str, Any]:
-        try:
-            value = json.loads(line)
-        except ValueError as error:
-            raise Error(f"{self.path}:{number + 1}: {error}") from error
-        if not isinstance(value, dict):
-            raise Error(f"{self.path}:{number + 1}: expected an object")
-        return value
+    def place(self, index: int) -> str:
+        """A line for messages: "tasks.jsonl:3"."""
+        return f"{self._lines.name}:{index % len(self) + 1}"
 
 
 class Dataset(Sequence[TaskLine]):
     """The tasks of a data set's folder, in the order of the file. Nothing but an index is kept in memory.
 
     `dataset[3]` and `dataset["ai2thor-00012"]` are tasks; `demonstration(task, "M2")`, `home(task)` and `start(task)`
-    are what belongs to one. This reads without checking; `unietp.validate` checks every file.
+    are what belongs to one. The folder may be a stranger's: its files are read as the program reads them (docs/trust.md),
+    and what the program would refuse raises Error with file and line. That a demonstration reaches its goal, and the
+    like, only `unietp.validate` checks.
     """
 
     def __init__(self, folder: str | os.PathLike[str]):
         """Raises Error for a folder without tasks.jsonl."""
         self.folder = Path(folder)
-        self._tasks = _Lines(self.folder / "tasks.jsonl")
+        self._tasks = _Lines(_native.RecordLines.tasks(self.folder))
         self._demonstrations: dict[str, _Lines] = {}
         self._positions: dict[str, int] | None = None
         self._home = lru_cache(maxsize=8)(self._read_home)
@@ -154,9 +133,13 @@ class Dataset(Sequence[TaskLine]):
         return _task(self._tasks[self.position(key) if isinstance(key, str) else key])
 
     def position(self, id: str) -> int:
-        """Where a task stands, from 0. Raises Error when no task has the id."""
+        """Where a task stands, from 0. Raises Error when no task has the id, or two have the same."""
         if self._positions is None:
-            self._positions = {line["id"]: i for i, line in enumerate(self._tasks)}
+            positions: dict[str, int] = {}
+            for i, line in enumerate(self._tasks):
+                if positions.setdefault(line["id"], i) != i:
+                    raise Error(f"{self._tasks.place(i)}: another task has the id {line['id']!r} too")
+            self._positions = positions
         try:
             return self._positions[id]
         except KeyError:
@@ -165,28 +148,30 @@ class Dataset(Sequence[TaskLine]):
     @property
     def modes(self) -> list[str]:
         """The modes that there are demonstrations of."""
-        return [mode for mode in ("M1", "M2", "M3") if self._file(mode).exists()]
+        return _native.shown_modes(self.folder)
 
     @property
     def manifest(self) -> dict[str, Any]:
         """manifest.json: version, configuration, counts, checksums and sources."""
-        try:
-            return json.loads((self.folder / "manifest.json").read_bytes())
-        except (OSError, ValueError) as error:
-            raise Error(f"{self.folder / 'manifest.json'}: {error}") from error
+        return _native.manifest(self.folder)
 
     def demonstration(self, task: TaskLine | str | int, mode: str = "M1") -> Demonstration:
         """The stored demonstration of a task. Raises Error when the data set has none in that mode."""
-        position = task if isinstance(task, int) else self.position(task if isinstance(task, str) else task.id)
+        line = self._line(task)
         if mode not in self.modes:
             raise Error(f"{self.folder} has demonstrations of {', '.join(self.modes)}, not of {mode!r}")
         if mode not in self._demonstrations:
-            self._demonstrations[mode] = _Lines(self._file(mode))
-        return _demonstration(self._demonstrations[mode][position])
+            self._demonstrations[mode] = self._shown_lines(mode)
+        lines = self._demonstrations[mode]
+        position = task if isinstance(task, int) else self.position(line.id)
+        shown = _demonstration(lines[position])
+        if (shown.task, shown.mode) != (line.id, mode):
+            raise Error(f"{lines.place(position)}: is of {shown.task!r} in {shown.mode}, not of {line.id!r} in {mode}")
+        return shown
 
     def demonstrations(self, mode: str = "M1") -> Iterator[Demonstration]:
         """All demonstrations of a mode, in the order of the tasks."""
-        return map(_demonstration, _Lines(self._file(mode)))
+        return map(_demonstration, self._shown_lines(mode))
 
     def home(self, task: TaskLine | str | int) -> SceneGraph:
         """The scene graph of a task's home."""
@@ -216,19 +201,14 @@ class Dataset(Sequence[TaskLine]):
         rows = [_row(task, shown) for task, shown in zip(self, self.demonstrations(mode), strict=True)]
         return datasets.Dataset.from_list(rows)
 
-    def _file(self, mode: str) -> Path:
-        return self.folder / "demonstrations" / f"{mode}.jsonl"
+    def _shown_lines(self, mode: str) -> _Lines:
+        return _Lines(_native.RecordLines.demonstrations(self.folder, mode))
 
     def _line(self, task: TaskLine | str | int) -> TaskLine:
         return task if isinstance(task, TaskLine) else self[task]
 
     def _read_home(self, layout: str) -> SceneGraph:
-        path = self.folder / "homes" / f"{layout}.scene.json.gz"
-        try:
-            with gzip.open(path) as file:
-                return json.load(file)
-        except (OSError, ValueError, EOFError) as error:
-            raise Error(f"{path}: {error}") from error
+        return _native.home(self.folder, layout)
 
 
 def load_dataset(folder: str | os.PathLike[str]) -> Dataset:
@@ -237,42 +217,36 @@ def load_dataset(folder: str | os.PathLike[str]) -> Dataset:
 
 
 def _task(line: dict[str, Any]) -> TaskLine:
-    try:
-        return TaskLine(
-            id=line["id"],
-            template=line["template"],
-            split=line["split"],
-            simulator=line["simulator"],
-            layout=line["layout"],
-            instruction=line["instruction"]["text"],
-            goal=line["goal"]["text"],
-            bindings=line["bindings"],
-            fields=line,
-        )
-    except (KeyError, TypeError) as error:
-        raise Error(f"a line of tasks.jsonl is no task: {error!r}") from error
+    return TaskLine(
+        id=line["id"],
+        template=line["template"],
+        split=line["split"],
+        simulator=line["simulator"],
+        layout=line["layout"],
+        instruction=line["instruction"]["text"],
+        goal=line["goal"]["text"],
+        bindings=line["bindings"],
+        fields=line,
+    )
 
 
 def _demonstration(line: dict[str, Any]) -> Demonstration:
-    try:
-        steps = [
-            DemonstrationStep(
-                action=step["action"],
-                args=step["args"],
-                success=step["success"],
-                failure=step["failure"],
-                feedback=step["feedback"],
-                visible=step["visible"],
-                changes=step["changes"],
-                search=step["search"],
-                tidying=step.get("tidying", False),
-                moments=step.get("moments", []),
-            )
-            for step in line["steps"]
-        ]
-        return Demonstration(line["task"], line["mode"], steps)
-    except (KeyError, TypeError) as error:
-        raise Error(f"a line of a file of demonstrations is none: {error!r}") from error
+    steps = [
+        DemonstrationStep(
+            action=step["action"],
+            args=step["args"],
+            success=step["success"],
+            failure=step["failure"],
+            feedback=step["feedback"],
+            visible=step["visible"],
+            changes=step["changes"],
+            search=step["search"],
+            tidying=step.get("tidying", False),
+            moments=step.get("moments", []),
+        )
+        for step in line["steps"]
+    ]
+    return Demonstration(line["task"], line["mode"], steps)
 
 
 def _row(task: TaskLine, shown: Demonstration) -> dict[str, Any]:

@@ -1,5 +1,6 @@
 // `unietp annotate` as a user runs it: by the grammar, by a server on loopback, and by batch files.
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 #include <map>
 #include <set>
@@ -11,6 +12,7 @@
 #include "core/files.h"
 #include "core/text.h"
 #include "data_set.h"
+#include "hung_server.h"
 #include "program.h"
 #include "schema_checker.h"
 
@@ -55,11 +57,15 @@ class AnnotateCommand : public ::testing::Test {
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run_program(arguments);
   }
-  Ended by_model(const std::string& url, std::vector<std::string> more = {}) const {
-    std::vector<std::string> arguments{"--writer", "llm",     "--llm-url",           url,          "--llm-model",
-                                       "tiny",     "--cache", folder_.at("answers"), "--llm-wait", "0.001"};
+  std::vector<std::string> model_command(const std::string& url, const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments{"annotate",   data().string(), "--writer", "llm",     "--llm-url",
+                                       url,          "--llm-model",   "tiny",     "--cache", folder_.at("answers"),
+                                       "--llm-wait", "0.001"};
     arguments.insert(arguments.end(), more.begin(), more.end());
-    return annotate(arguments);
+    return arguments;
+  }
+  Ended by_model(const std::string& url, const std::vector<std::string>& more = {}) const {
+    return run_program(model_command(url, more));
   }
   Ended by_batch() const {
     return annotate({"--writer", "batch", "--batch", folder_.at("batch"), "--llm-model", "tiny"});
@@ -226,6 +232,18 @@ TEST_F(AnnotateCommand, WhereAnAnswerIsMissingNothingChangesAndItIsTold) {
   EXPECT_EQ(down.code, 1);
   EXPECT_FALSE(fs::exists(folder_.at("other")));
   EXPECT_EQ(bytes_below(data()), before);
+  expect_sound();
+}
+
+TEST_F(AnnotateCommand, EndsWithinTwoSecondsOfASignalWhileTheServerHangsAndChangesNothing) {
+  const auto before = bytes_below(data());
+  ChatServer server([](const Received&) { return ChatServer::kSilence; });
+  for (const int signal : {SIGTERM, SIGINT}) {
+    const int known = server.count();
+    RunningProgram program(model_command(server.url));
+    expect_end_while_server_hangs(program, signal, [&] { return server.count() > known; });
+    EXPECT_EQ(bytes_below(data()), before);
+  }
   expect_sound();
 }
 

@@ -13,6 +13,7 @@
 #include "../llm/model.h"
 #include "core/files.h"
 #include "core/folder_lock.h"
+#include "hung_server.h"
 #include "program.h"
 #include "schema_checker.h"
 
@@ -131,6 +132,12 @@ TEST_F(CompleteCommand, KilledAndRunAgainGivesTheBytesOfOneRun) {
     EXPECT_EQ(ended.code, 0) << ended.err;
     EXPECT_EQ(completed(root), completed(whole));
   }
+}
+
+TEST_F(CompleteCommand, EndsWithinTwoSecondsOfASignalWhileTheServerHangs) {
+  ChatServer server([](const Received&) { return ChatServer::kSilence; });
+  RunningProgram program(command(data("own"), server));
+  expect_end_while_server_hangs(program, SIGTERM, [&] { return server.count() > 0; });
 }
 
 TEST_F(CompleteCommand, IsRefusedWhileAnotherProcessCompletesTheSameTables) {

@@ -14,6 +14,7 @@
 #include "core/files.h"
 #include "core/text.h"
 #include "data_set.h"
+#include "interchange/formats.h"
 
 namespace unietp {
 namespace {
@@ -274,6 +275,89 @@ std::string nested(const std::string& open, int count) {
   std::string text;
   for (int i = 0; i < count; ++i) text += open;
   return text;
+}
+
+/// How a format lists the objects of a home: `#` in `object` stands for the object's number.
+struct ForeignFormat {
+  std::string format, before, object, after;
+};
+
+const std::vector<ForeignFormat>& foreign_formats() {
+  static const std::vector<ForeignFormat> kFormats{
+      {"ithor", R"({"sceneName":"FloorPlan1","objects":[)",
+       R"({"objectId":"Mug|#","objectType":"Mug","position":{"x":0,"y":0,"z":0},"rotation":{"x":0,"y":0,"z":0}})",
+       "]}"},
+      {"procthor",
+       R"({"rooms":[{"id":"room|1","roomType":"Kitchen","floorPolygon":[{"x":0,"y":0,"z":0},{"x":0,"y":0,"z":3},)"
+       R"({"x":3,"y":0,"z":3}]}],"walls":[],"doors":[],"windows":[],"objects":[)",
+       R"({"id":"Mug|#","assetId":"Mug_1","position":{"x":1,"y":1,"z":1},"rotation":{"x":0,"y":0,"z":0}})", "]}"},
+      {"virtualhome", R"({"edges":[],"nodes":[)",
+       R"({"id":#,"class_name":"mug","category":"Props","properties":[],"states":[],)"
+       R"("bounding_box":{"center":[0,0,0],"size":[1,1,1]}})",
+       "]}"},
+      {"hssd", R"({"stage_instance":{"template_name":"stages/1"},"object_instances":[)",
+       R"({"template_name":"m#","translation":[0,0,0],"rotation":[1,0,0,0]})", "]}"},
+      {"replicacad", R"({"stage_instance":{"template_name":"stages/frl_apartment_stage"},"object_instances":[)",
+       R"({"template_name":"objects/frl_apartment_cup_#","translation":[0,0,0],"rotation":[1,0,0,0]})", "]}"},
+      {"behavior", R"({"state":{"object_registry":{}},"objects_info":{"init_info":{)",
+       R"("mug_#":{"class_name":"X","args":{"name":"mug_#","category":"mug","in_rooms":["kitchen_0"],"model":"m"}})",
+       "}}}"},
+  };
+  return kFormats;
+}
+
+std::string home_of(const ForeignFormat& format, int objects) {
+  std::string text = format.before;
+  for (int i = 0; i < objects; ++i)
+    text += (i == 0 ? "" : ",") + replace_all(format.object, "#", std::to_string(i + 1));
+  return text + format.after;
+}
+
+class StrangeHome : public StrangeFile {
+ protected:
+  /// Nothing is written for it, and it is told in one line.
+  void expect_no_import(const std::string& format, const std::string& text, const std::string& why) {
+    SCOPED_TRACE(format);
+    const auto home = file("home.json", text);
+    const auto ended = run_program({"scene", "import", format, home, "--out", folder_.at("out")});
+    EXPECT_EQ(ended.code, 2) << ended.out << ended.err;
+    EXPECT_THAT(ended.err, ::testing::AllOf(HasSubstr(home), HasSubstr(why)));
+    EXPECT_EQ(split(trim(ended.err), '\n').size(), 1U) << ended.err;
+    EXPECT_TRUE(!fs::exists(folder_.at("out")) || bytes_below(folder_.at("out")).empty());
+    expect_modest(ended);
+  }
+};
+
+TEST_F(StrangeHome, OfTooManyObjectsIsRefusedByEachImporter) {
+  EXPECT_EQ(foreign_formats().size(), scene_format_names().size());
+  for (const auto& format : foreign_formats()) {
+    expect_no_import(format.format, home_of(format, 100'000), "expected at most 20000");
+    // BEHAVIOR's have no place here, and a home without any object is none either.
+    expect_no_import(format.format, home_of(format, 5'001),
+                     format.format == "behavior" ? "no objects around which to draw one" : "accepted are at most 5000");
+  }
+}
+
+TEST_F(StrangeHome, ThatIsNestedTooDeeplyIsRefusedByEachImporter) {
+  for (const auto& format : foreign_formats()) {
+    const auto text = home_of(format, 3);
+    expect_no_import(format.format, R"({"x":)" + nested("[", 100'000) + text.substr(1), "nested deeper than 64 levels");
+    expect_no_import(format.format, R"({"x":)" + nested(R"({"x":)", 100'000), "nested deeper than 64 levels");
+  }
+}
+
+TEST_F(StrangeHome, IsNotCalledByAPath) {
+  const auto ithor = *read_file(fs::path(UNIETP_SOURCE_DIR) / "tests" / "end_to_end" / "homes" / "kitchen.ithor.json");
+  for (const std::string name : {"../../mine", "/tmp/unietp-x", "..", "-x", "a\\u001b[2J"}) {
+    const auto home = file("home.json", replace_all(ithor, "FloorPlan9", name));
+    const auto before = bytes_below(folder_.path());
+    const auto ended = run_program({"scene", "import", "ithor", home, "--no-settle", "--out", folder_.at("a/b/out")});
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    EXPECT_EQ(bytes_below(folder_.at("a/b/out")).size(), 2U);  // the home and its report
+    fs::remove_all(folder_.at("a"));
+    EXPECT_EQ(bytes_below(folder_.path()), before);
+    for (const char c : ended.out + ended.err) EXPECT_TRUE(c == '\n' || (c >= ' ' && c != '\x7f') || c < 0);
+  }
 }
 
 TEST_F(StrangeFile, AGoalNestedTooDeeplyIsRefused) {

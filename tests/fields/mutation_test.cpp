@@ -75,6 +75,18 @@ void expect_sound(const ValidationReport& report) {
   EXPECT_EQ(report.counts.proven, 19);
 }
 
+/// What only some tasks have must be there to be changed.
+TEST(Mutation, TheSetHasWhatIsRare) {
+  using ::testing::HasSubstr;
+  const auto& set = forged_set();
+  for (const char* field : {"\"tempting\":[", "\"moments\":[", "\"tidying\":true"})
+    EXPECT_THAT(set.text("demonstrations/M1.jsonl"), HasSubstr(field));
+  for (const char* file : {"demonstrations/M2.jsonl", "demonstrations/M3.jsonl"})
+    EXPECT_THAT(set.text(file), HasSubstr("\"search\":true"));
+  for (const char* field : {"\"others\":[", "\"complex\":{", "\"referring\":{"})
+    EXPECT_THAT(set.text("wordings.jsonl"), HasSubstr(field));
+}
+
 TEST(Mutation, TheSetItselfIsSound) { expect_sound(forged_set().unchanged()); }
 
 /// What the forger does besides its changes is no reason to refuse a file: it writes lines anew, with other digits of

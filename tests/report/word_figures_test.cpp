@@ -2,6 +2,7 @@
 #include "report/formula_census.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <fstream>
 #include <sstream>
@@ -107,6 +108,11 @@ TEST(WordFigures, OfPeopleAreReadFromTheirFilesAndFaultsAreTold) {
     write("human_bigrams.csv", wrong);
     EXPECT_FALSE(read_human_goals(folder.path())) << wrong;
   }
+  std::filesystem::remove(folder.path() / "human_bigrams.csv");
+  ASSERT_EQ(::mkfifo(folder.at("human_bigrams.csv").c_str(), 0600), 0);
+  const auto fifo = read_human_goals(folder.path());
+  ASSERT_FALSE(fifo) << "it must not wait for a writer";
+  EXPECT_EQ(fifo.error().message, "is a FIFO; expected a file");
 }
 
 }  // namespace

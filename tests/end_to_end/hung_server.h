@@ -1,0 +1,24 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "program.h"
+
+namespace unietp {
+
+/// Waits until `hangs` says that a server keeps the program waiting, then interrupts it: it ends within two seconds.
+inline void expect_end_while_server_hangs(RunningProgram& program, int signal, const std::function<bool()>& hangs) {
+  while (program.running() && !hangs()) std::this_thread::yield();
+  EXPECT_TRUE(program.running());
+  program.send(signal);
+  const auto sent = std::chrono::steady_clock::now();
+  const auto ended = program.wait();
+  EXPECT_LT(std::chrono::steady_clock::now() - sent, std::chrono::seconds(2));
+  EXPECT_EQ(ended.code, 130) << ended.out << ended.err;
+}
+
+}  // namespace unietp
