@@ -19,8 +19,8 @@ bool starts_with_vowel_letter(std::string_view word);
 /// Each `from`, left to right, replaced by `to`; what is put in is not searched again.
 std::string replace_all(std::string text, std::string_view from, std::string_view to);
 
-/// The candidate with the smallest edit distance to `name`, where two neighbors swapped are one edit, or "" when none is
-/// near (more than a third of the letters differ); ties go to the first.
+/// The candidate with the smallest edit distance to `name`, where two neighbors swapped are one edit, or "" when none
+/// is near (more than a third of the letters differ); ties go to the first.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates);
 
 /// Shortest text that reads back to the same double (std::to_chars), so that files are the same everywhere.

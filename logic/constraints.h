@@ -21,8 +21,8 @@ std::vector<Formula> with_an_order_reversed(const Formula& goal);
 
 /// The goal without its constraints, but with one more than one of its "exactly n" says, more than one of its "at
 /// most n" allows, or more of one kind than of the other where it says "as many as": one formula for each, in order of
-/// text, then with fewer of the one kind. What reaches it with the same things reaches the goal without its constraints,
-/// and not the goal.
+/// text, then with fewer of the one kind. What reaches it with the same things reaches the goal without its
+/// constraints, and not the goal.
 std::vector<Formula> with_one_too_many(const Formula& goal);
 
 /// What somebody takes a goal for who forgets a constraint.

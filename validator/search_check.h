@@ -18,7 +18,8 @@ std::vector<bool> search_steps(const Formula& goal, const World& start, const Tr
                                const std::vector<Action>& plan);
 
 /// Which steps of a plan only tidy up: each `close` of what the plan opened before and `turn_off` of what it turned on,
-/// and the steps right before it that only lead there, if the goal is reached without it and without all that were found before. `plan`: as above.
+/// and the steps right before it that only lead there, if the goal is reached without it and without all that were
+/// found before. `plan`: as above.
 std::vector<bool> tidying_steps(const Formula& goal, const World& start, const TraceMaker& traces,
                                 const std::vector<Action>& plan);
 
