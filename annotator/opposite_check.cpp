@@ -54,12 +54,10 @@ void collect(const Formula& f, bool denied, Uses& uses) {
   }
 }
 
-bool is_any(std::string_view word, std::string_view list) { return is_among(word, list); }
-
 /// Where a clause ends: no verb of it speaks of what comes behind.
 bool ends_clause(const Tokens& words, std::size_t i) {
   return i >= words.size() ||
-         is_any(words[i].text, ", ; ! ? : and. then. before. after. when. until. once. while. but. or. if. so.") ||
+         is_among(words[i].text, ", ; ! ? : and. then. before. after. when. until. once. while. but. or. if. so.") ||
          words[i].text == ".";
 }
 
@@ -89,7 +87,7 @@ class Opposites {
  private:
   std::string_view word(std::size_t i) const { return i < words_.size() ? std::string_view(words_[i].text) : ""; }
   bool any(std::string_view list) const {
-    return std::any_of(words_.begin(), words_.end(), [&](const Token& one) { return is_any(one.text, list); });
+    return std::any_of(words_.begin(), words_.end(), [&](const Token& one) { return is_among(one.text, list); });
   }
   bool knows(P predicate) const {
     return uses_.asked.contains(predicate) || uses_.denied.contains(predicate) || uses_.told.contains(predicate);
@@ -100,19 +98,19 @@ class Opposites {
   /// Whether a verb of switching precedes in the same clause.
   bool is_switched(std::size_t at) const {
     for (std::size_t i = at; i-- > 0 && !ends_clause(words_, i);)
-      if (is_any(words_[i].text, "turn switch power. powered. powering. shut flip click")) return true;
+      if (is_among(words_[i].text, "turn switch power. powered. powering. shut flip click")) return true;
     return false;
   }
   /// "Turn on the lamp", "turn the lamp on the desk off", "leave it off": not "on the desk", "off the table".
   bool switches(std::string_view particle) const {
     for (std::size_t i = 1; i < words_.size(); ++i) {
       if (words_[i].text != particle) continue;
-      const bool leads_on = is_any(
+      const bool leads_on = is_among(
           word(i + 1),
           "the. a. an. one. my. your. our. its. their. this. that. top. of. it. them. both. all. each. every. some.");
-      const bool by_verb = is_any(word(i - 1), "turn switch power. powered. powering. shut flip click");
+      const bool by_verb = is_among(word(i - 1), "turn switch power. powered. powering. shut flip click");
       if (by_verb || (is_switched(i) && (!leads_on || particle == "off"))) return true;
-      if (ends_clause(words_, i + 1) || is_any(word(i + 1), "again. first. last. please. now. too. for. at. later."))
+      if (ends_clause(words_, i + 1) || is_among(word(i + 1), "again. first. last. please. now. too. for. at. later."))
         return true;
     }
     return false;
@@ -196,33 +194,34 @@ class Opposites {
     for (std::size_t i = 0; i < words_.size(); ++i) {
       const bool no =
           words_[i].text == "no" &&
-          !is_any(word(i + 1),
-                  "fewer. less. more. later. longer. matter. other. others. further. need. rush. hurry. problem.");
+          !is_among(word(i + 1),
+                    "fewer. less. more. later. longer. matter. other. others. further. need. rush. hurry. problem.");
       const bool none = words_[i].text == "none" || words_[i].text == "neither" || words_[i].text == "zero";
-      const bool others = word(i + 1) == "of" && is_any(word(i + 3), "other. others. rest.");
+      const bool others = word(i + 1) == "of" && is_among(word(i + 3), "other. others. rest.");
       if (no || (none && !others)) return exceeds("'" + words_[i].text + "'");
     }
     // What is asked of every one is not asked by "do not".
     if (!goal_.every || goal_.order || goal_.throughout) return;
     for (std::size_t i = 0; i < words_.size(); ++i) {
-      const bool denial = is_any(words_[i].text, "not. don't. never.");
-      const bool only_spurs = is_any(word(i + 1), "forget. leave. miss. skip. stop. just. only. mind.");
+      const bool denial = is_among(words_[i].text, "not. don't. never.");
+      const bool only_spurs = is_among(word(i + 1), "forget. leave. miss. skip. stop. just. only. mind.");
       const bool of_if = i > 0 && words_[i - 1].text == "if";
       if (denial && !only_spurs && !of_if && !tells_exception(i)) return exceeds("'" + words_[i].text + "'");
     }
   }
   /// "All the mugs, not the red one", "that are not red".
   bool tells_exception(std::size_t at) const {
-    return !uses_.told.empty() && (is_any(word(at + 1), "the. in. on. inside. made. next.") || uses_.told.size() > 1 ||
-                                   (at > 0 && is_any(words_[at - 1].text, "are. is. that. which. aren't. isn't.")));
+    return !uses_.told.empty() &&
+           (is_among(word(at + 1), "the. in. on. inside. made. next.") || uses_.told.size() > 1 ||
+            (at > 0 && is_among(words_[at - 1].text, "are. is. that. which. aren't. isn't.")));
   }
 
   /// "All the mugs", where one will do. Of several that are counted all may be there are.
   void everything() {
     if (goal_.every || goal_.none || uses_.counts || goal_.throughout) return;
     for (std::size_t i = 0; i < words_.size(); ++i)
-      if (words_[i].text == "all" && is_any(word(i + 1), "the. of. my. your. our. these. those.") &&
-          !is_any(word(i + 2), "time. way. while. it. that. this."))
+      if (words_[i].text == "all" && is_among(word(i + 1), "the. of. my. your. our. these. those.") &&
+          !is_among(word(i + 2), "time. way. while. it. that. this."))
         return exceeds("'all'");
   }
 
@@ -241,16 +240,16 @@ class Opposites {
     if (kWithStories.contains(specification_.style) || uses_.either || goal_.at_least || goal_.at_most || goal_.none)
       return;
     for (std::size_t i = 0; i < words_.size(); ++i)
-      if (words_[i].text == "or" && !is_any(word(i + 1), "so. not. more. else.")) return exceeds("'or'");
+      if (words_[i].text == "or" && !is_among(word(i + 1), "so. not. more. else.")) return exceeds("'or'");
   }
 
   /// "Last wash the mug, then put it away."
   void last() {
     for (std::size_t i = 0; i < words_.size(); ++i) {
       if (words_[i].text != "last" && words_[i].text != "lastly" && words_[i].text != "finally") continue;
-      if (i > 0 && is_any(words_[i - 1].text, "the. at. very. its.")) continue;
+      if (i > 0 && is_among(words_[i - 1].text, "the. at. very. its.")) continue;
       for (std::size_t k = i + 1; k < words_.size(); ++k)
-        if (is_any(words_[k].text, "then. next. afterwards. afterward. first. after. later.") &&
+        if (is_among(words_[k].text, "then. next. afterwards. afterward. first. after. later.") &&
             !(words_[k].text == "next" && word(k + 1) == "to"))
           return exceeds("'" + words_[i].text + "' before '" + words_[k].text + "'");
       if (!goal_.order && words_[i].text != "finally") return exceeds("'" + words_[i].text + "'");
@@ -274,25 +273,29 @@ class Opposites {
 
   std::optional<std::size_t> first_of(std::string_view list) const {
     for (std::size_t i = 0; i < words_.size(); ++i)
-      if (is_any(words_[i].text, list)) return i;
+      if (is_among(words_[i].text, list)) return i;
     return std::nullopt;
   }
 
   /// Whether what is named first comes first; nullopt where no word tells, or two do and differ.
   std::optional<bool> is_in_order(std::size_t first, std::size_t second) const {
-    bool forward = false, backward = false;
-    for (std::size_t i = 0; i < second; ++i) {
+    bool forward = false, backward = false, same_clause = true;
+    for (std::size_t i = 0; i < words_.size() && (i <= second || !ends_clause(words_, i)); ++i) {
       const auto& said = words_[i].text;
-      const bool between = i > first, opens = i == 0 || words_[i - 1].text == ".";
-      const bool of_that = is_any(word(i + 1), "that. this. which.");
-      if (!between) {
-        forward |= said == "first" || (said == "after" && !of_that) || said == "once" || said == "when";
-        backward |= said == "last" || said == "before";
-        continue;
+      const bool opens = i == 0 || words_[i - 1].text == ".", joins = said == "once" || said == "when";
+      const bool of_that = is_among(word(i + 1), "that. this. which.");
+      same_clause &= i <= first || !ends_clause(words_, i);
+      const bool of_first = i < first || same_clause;  // "first" and "last" are of what is named in their clause
+      forward |= said == (of_first ? "first" : "last");
+      backward |= said == (of_first ? "last" : "first");
+      if (i < first) {
+        forward |= (said == "after" && !of_that) || joins;
+        backward |= said == "before";
+      } else if (i < second) {
+        forward |= is_among(said, "then. next. afterwards. afterward. later. before. finally.") ||
+                   (said == "after" && of_that) || (opens && joins);
+        backward |= (said == "after" && !of_that) || (!opens && joins);
       }
-      forward |= is_any(said, "then. next. afterwards. afterward. later. before. finally.") ||
-                 (said == "after" && of_that) || (opens && (said == "once" || said == "when"));
-      backward |= (said == "after" && !of_that) || said == "first" || (!opens && (said == "once" || said == "when"));
     }
     if (forward == backward) return std::nullopt;
     return forward;

@@ -160,6 +160,8 @@ TEST(OppositeFaults, AreWordsThatTurnTheMeaningAround) {
       {kCleanFirst, "Clean the table before putting a mug on it.", "Clean the table after putting a mug on it."},
       {kCleanFirst, "Before you put a mug on the table, clean it.", "Before you clean the table, put a mug on it."},
       {kCleanFirst, "Put a mug on the table, but first clean it.", "Clean the table, but first put a mug on it."},
+      {kCleanFirst, "Put a mug on the table, but clean it first.", "Put a mug on the table, but clean it last."},
+      {kCleanFirst, "Clean the table first, then put a mug on it.", "Put a mug on the table and clean it last."},
       {kCleanFirst, "Once the table is clean, put a mug on it.", "Put a mug on the table, then clean it."},
       {kCleanFirst, "Clean the table. After that, put a mug on it.", "Put a mug on the table. After that, clean it."},
   };
