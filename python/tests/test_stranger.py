@@ -174,6 +174,8 @@ def test_homes_are_bounded(stranger):
 
 def test_a_manifest_is_bounded(stranger):
     place = stranger / "manifest.json"
+    place.write_text("[]")
+    assert said(stranger, READERS["manifest.json"]) == f"{place}: expected an object"
     place.write_text("[" * 100_000)
     assert "nested deeper than 64 levels" in said(stranger, READERS["manifest.json"])
     with place.open("wb") as file:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, overload
+from typing import TYPE_CHECKING, Any, cast, overload
 
 from unietp import _native
 from unietp._native import Error
@@ -153,7 +153,10 @@ class Dataset(Sequence[TaskLine]):
     @property
     def manifest(self) -> dict[str, Any]:
         """manifest.json: version, configuration, counts, checksums and sources."""
-        return _native.manifest(self.folder)
+        manifest = _native.manifest(self.folder)
+        if not isinstance(manifest, dict):
+            raise Error(f"{self.folder / 'manifest.json'}: expected an object")
+        return manifest
 
     def demonstration(self, task: TaskLine | str | int, mode: str = "M1") -> Demonstration:
         """The stored demonstration of a task. Raises Error when the data set has none in that mode."""
@@ -208,7 +211,7 @@ class Dataset(Sequence[TaskLine]):
         return task if isinstance(task, TaskLine) else self[task]
 
     def _read_home(self, layout: str) -> SceneGraph:
-        return _native.home(self.folder, layout)
+        return cast(SceneGraph, _native.home(self.folder, layout))
 
 
 def load_dataset(folder: str | os.PathLike[str]) -> Dataset:

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../llm/wording_model.h"
 #include "core/files.h"
 #include "data_set.h"
 #include "file_watch.h"
@@ -19,6 +20,20 @@ constexpr const char* kConfiguration = R"({
   "quotas": {"splits": {"atomic": 4}, "simulators": {"ai2thor": 4}}})";
 constexpr const char* kTraining = R"({
   "format": "unietp-run/1", "seed": 4, "block": 2, "quotas": {"splits": {"atomic": 3}, "simulators": {"habitat": 3}}})";
+
+/// Words tasks as long as this process lives.
+const std::string& url_of_a_model() {
+  static test::WordingModel model;
+  static const test::ChatServer kServer([](const test::Received& received) { return model(received); });
+  return kServer.url;
+}
+
+/// Answers are kept outside of the workbenches: a cache is not what the command makes.
+std::string annotate_by_model() {
+  static const ScratchFolder kAnswers;
+  return "annotate data --writer llm --llm-model tiny --llm-wait 0.001 --seed 5 --cache " + kAnswers.at("answers") +
+         " --llm-url " + url_of_a_model();
+}
 
 void run_here(const fs::path& folder, const std::string& arguments) {
   const auto ended = run_script("unietp " + arguments, folder);
@@ -67,6 +82,7 @@ std::vector<WritingCommand> writing_commands() {
       {"training", "training --config training.json --out out --resume", "out"},
       {"merge", "merge part-1 part-2 --out out", "out"},
       {"annotate", "annotate data --seed 5 --paired", "data"},
+      {"annotate by model", annotate_by_model(), "data"},
       {"annotate elsewhere", "annotate data --seed 5 --out out", "out"},
       {"review", "review data --apply review.json --accept-unchecked", "data"},
       {"review elsewhere", "review data --apply review.json --accept-unchecked --out out", "out"},
@@ -91,6 +107,10 @@ std::vector<WritingCommand> writing_commands() {
     commands.push_back(
         {std::string("export ") + format, std::string("export data --format ") + format + " --out out", "out"});
   return commands;
+}
+
+std::string small_run(const std::string& seed) {
+  return "generate --count 2 --rooms 5 --objects 5 --simulators habitat --splits atomic --threads 1 --seed " + seed;
 }
 
 Workbench::Workbench() { fs::copy(material(), path(), fs::copy_options::recursive); }

@@ -16,10 +16,13 @@ struct WritingCommand {
 };
 
 /// Every command that writes files, but those whose files tell how long things took: `evaluate` (evaluate_test.cpp
-/// kills it) and the ledger of a run (kept_test.cpp does); `knowledge complete`, which needs a server
-/// (complete_test.cpp); and those that make this program's own tables of the simulators' files (`scene fit`, `knowledge
-/// import`).
+/// kills it) and the ledger of a run (kept_test.cpp does); `shape gallery`, which takes seconds (likewise); `knowledge
+/// complete`, which needs tables of its own (complete_test.cpp kills it); and those that make this program's own tables
+/// of the simulators' files (`scene fit`, `knowledge import`). One asks a model on loopback.
 std::vector<WritingCommand> writing_commands();
+
+/// `generate` of two tasks in small homes, without `--out`.
+std::string small_run(const std::string& seed);
 
 /// A folder with a data set, two shards, configurations, a review and two evaluations, in which commands are run.
 class Workbench {
