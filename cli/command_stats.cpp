@@ -136,7 +136,7 @@ Exit careful_stats(const StatsOptions& options, const CommandLine& program) {
     for (const auto& [mode, all] : demonstrations) {
       std::printf("  %s: of %d demonstrations\n", name_of(mode).data(), all);
       for (const CarelessKind kind : kCarelessKinds)
-        std::printf("    with %s: %d\n", name_of(kind).data(), counts[mode][kind]);
+        std::printf("    %s: %d\n", name_of(kind).data(), counts[mode][kind]);
     }
   }
   return Exit::Ok;

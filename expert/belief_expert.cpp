@@ -169,18 +169,19 @@ class BeliefExpert {
     empty_.clear();  // the plan closes what was opened
     const bool looks_first = acts_on_presumed(action);
     if (looks_first) action = {ActionType::TurnTo, action.args};
-    if (action.type == ActionType::Stop) return window_.act(action).success;
+    if (action.type == ActionType::Stop) {
+      const Outcome end = window_.act(action);
+      if (!end.success) give_up("for stop(): " + end.feedback, end.failure);
+      return end.success;
+    }
     if (points()) {
       acted_ = true;
       if (!come_to(action)) return plan_without(action), false;
     }
     if (!looks_first) planner_.advance();
     if (action.type == ActionType::TurnTo) looked_for_.insert(action.args.front());
-    if (!act_as_planned(action)) {
-      give_up("for " + to_text(action) + ": " + trouble_.text, trouble_.failure);
-      return false;
-    }
-    acted_ = true;
+    acted_ = act_as_planned(action);
+    if (!acted_) give_up("for " + to_text(action) + ": " + trouble_.text, trouble_.failure);
     return false;
   }
 

@@ -44,6 +44,20 @@ TEST(DataSet, HasFewWordsForEachPartOfAGoal) {
   EXPECT_LE(figure("more than 9 words for each part"), 5) << "percent";
 }
 
+TEST(DataSet, HasCarefulDemonstrations) {
+  const auto ended = run_program({"stats", data_set_in_all_modes().string(), "--careful"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const auto of_m1 = ended.out.find("  M1: of "), of_m2 = ended.out.find("  M2: of "),
+             of_m3 = ended.out.find("  M3: of ");
+  ASSERT_LT(of_m1, of_m2) << ended.out;
+  ASSERT_LT(of_m2, of_m3) << ended.out;
+  const std::string in_m1 = ended.out.substr(of_m1, of_m2 - of_m1);
+  for (const char* none : {"of these, without need: 0", "devices in another room though a nearer one would do: 0",
+                           "things left open that could be closed: 0"})
+    EXPECT_THAT(in_m1, ::testing::HasSubstr(none)) << ended.out;
+  EXPECT_EQ(run_program({"stats", data_set_in_all_modes().string(), "--careful", "--json"}).code, 2);
+}
+
 TEST(DataSet, EveryFileFollowsItsSchema) {
   SchemaChecker checker;
   const std::vector<std::pair<std::string, std::string>> lines{{"tasks.jsonl", "task.schema.json"},

@@ -386,5 +386,32 @@ TEST(ExportSft, PutsMistakesWithTheirFeedbackAmongTheSteps) {
   }
 }
 
+/// Where things are named by boxes, too: each mistake fails, and without them the steps of the demonstration are left.
+TEST(ExportSft, PutsMistakesAmongTheStepsOfM3) {
+  const ScratchFolder scratch;
+  const fs::path out = scratch.at("sft");
+  export_sft(out, {"--modes", "M3", "--observation", "image", "--mistakes", "0.5", "--threads", "2"});
+  std::map<std::string, std::size_t> steps;  // by task
+  for (const Json& shown : json_lines(data_set_in_all_modes() / "demonstrations" / "M3.jsonl"))
+    steps[shown["task"]] = shown["steps"].size();
+  std::size_t failed = 0;
+  for (const Json& line : json_lines(out / "M3.jsonl")) {
+    expect_marked_chat(line, out);
+    const Json& messages = line["messages"];
+    std::size_t learned = 0;
+    for (std::size_t k = 2; k < messages.size(); k += 2) {
+      if (messages[k]["loss"] == true) {
+        ++learned;
+        continue;
+      }
+      ++failed;
+      EXPECT_THAT(messages[k + 1]["content"].get<std::string>(), HasSubstr("failed"));
+    }
+    const std::string id = line["id"];
+    EXPECT_EQ(learned, steps.at(id.substr(0, id.find('/')))) << id;
+  }
+  EXPECT_GT(failed, 0U) << "few of the later actions can be pointed at early";
+}
+
 }  // namespace
 }  // namespace unietp

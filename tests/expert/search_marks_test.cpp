@@ -6,7 +6,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "expert/belief_expert.h"
 #include "expert/mode_expert.h"
+#include "expert/window.h"
 #include "tests/expert/house.h"
 
 namespace unietp::testing {
@@ -82,6 +84,33 @@ TEST_P(Search, IsNoneOfTheStepsThatTheGoalCanDoWithout) {
 
 INSTANTIATE_TEST_SUITE_P(InM2, Search, ::testing::ValuesIn(kSearches),
                          [](const auto& param) { return std::string(param.param.name); });
+
+/// Refuses to end.
+class Endless : public EpisodeWindow {
+ public:
+  using EpisodeWindow::EpisodeWindow;
+  Outcome act(const Action& action) override {
+    if (action.type != ActionType::Stop) return EpisodeWindow::act(action);
+    Outcome refused;
+    refused.failure = Failure::InvalidAction;
+    refused.feedback = "It is over.";
+    return refused;
+  }
+};
+
+TEST(BeliefExpert, GivesUpWhereItMayNotStop) {
+  const Knowledge knowledge = house_knowledge();
+  const Profile profile = house_profile();
+  const Scene start = at_rest(house());
+  const Formula held = goal("(exists (?x - Mug) (at-end (held ?x)))");
+  for (const Mode mode : {Mode::M2, Mode::M3}) {
+    auto executions = *ExecutionTree::of(held, start, knowledge, profile);
+    Endless window(executions, mode);
+    const auto trouble = reach_by_belief({held, knowledge, profile, nullptr, mode}, window);
+    ASSERT_TRUE(trouble);
+    EXPECT_EQ(trouble->text, "for stop(): It is over.");
+  }
+}
 
 }  // namespace
 }  // namespace unietp::testing
