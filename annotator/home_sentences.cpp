@@ -121,7 +121,9 @@ bool can_be_said(const std::string& sentence, const Trace& start, const NounTabl
       for (const Domain::Member& member : domain.members) there += number_of(member, start, nouns);
     }
     const std::size_t least = noun.plural && i > 0 && words[i - 1].text == "those" ? 2 : 1;
-    if (known && !measures && there < least) return false;
+    const auto before = [&](std::size_t back) { return i >= back ? std::string_view(words[i - back].text) : ""; };
+    const bool is_verb = before(1) == "to", is_made = before(1) == "a" && before(2) == "write";
+    if (known && !measures && !is_verb && !is_made && there < least) return false;
     i = next;
   }
   return true;

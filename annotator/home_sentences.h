@@ -18,8 +18,9 @@ std::vector<std::string> home_sentences(const Trace& start, const Formula& goal,
                                         const Knowledge& knowledge, const NounTable& nouns, Rng rng);
 
 /// Whether what the speaker says of what he is up to can be so in this home: it has what the sentence names, "the
-/// steak", "some eggs", "a shower", and of "all those lights" more than one. Names that the knowledge base does not
-/// have, and measures ("a pot of tea"), are not looked for. True of a home that is not known.
+/// steak", "some eggs", "a shower", and of "all those lamps" more than one. Names that the knowledge base does not
+/// have, measures ("a pot of tea"), verbs ("to watch the news") and what is still to be made ("write a letter") are not
+/// looked for. True of a home that is not known.
 bool can_be_said(const std::string& sentence, const Trace& start, const NounTable& nouns);
 
 }  // namespace unietp

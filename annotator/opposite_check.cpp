@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "annotator/goal_words.h"
+#include "annotator/naming.h"
 #include "annotator/words_for_reading.h"
 
 namespace unietp {
@@ -54,6 +55,13 @@ void collect(const Formula& f, bool denied, Uses& uses) {
   }
 }
 
+bool is_number(const std::string& word) {
+  constexpr int kMost = 12;
+  for (int number = 1; number <= kMost; ++number)
+    if (word == number_word(number) || word == std::to_string(number)) return true;
+  return false;
+}
+
 /// Where a clause ends: no verb of it speaks of what comes behind.
 bool ends_clause(const Tokens& words, std::size_t i) {
   return i >= words.size() ||
@@ -77,9 +85,11 @@ class Opposites {
     sizes();
     bounds();
     nothing();
-    everything();
     choice();
-    last();
+    if (!tells_a_story()) {  // "All my friends are coming", "last night"
+      everything();
+      last();
+    }
     if (uses_.orders.size() == 1) order(*uses_.orders.front());
     return std::move(faults_);
   }
@@ -94,6 +104,13 @@ class Opposites {
   }
   void lacks(const std::string& what) { faults_.push_back("the text does not say " + what); }
   void exceeds(const std::string& what) { faults_.push_back("the text asks for more than the goal: " + what); }
+
+  /// Whether a text of the style says more than what is asked.
+  bool tells_a_story() const {
+    constexpr std::array kWithStories{Style::Aside,        Style::Context,   Style::Request,
+                                      Style::ImplicitNeed, Style::Condition, Style::Distractor};
+    return std::find(kWithStories.begin(), kWithStories.end(), specification_.style) != kWithStories.end();
+  }
 
   /// Whether a verb of switching precedes in the same clause.
   bool is_switched(std::size_t at) const {
@@ -110,6 +127,7 @@ class Opposites {
           "the. a. an. one. my. your. our. its. their. this. that. top. of. it. them. both. all. each. every. some.");
       const bool by_verb = is_among(word(i - 1), "turn switch power. powered. powering. shut flip click");
       if (by_verb || (is_switched(i) && (!leads_on || particle == "off"))) return true;
+      if (particle != "on" && particle != "off") continue;  // "take the mug out"
       if (ends_clause(words_, i + 1) || is_among(word(i + 1), "again. first. last. please. now. too. for. at. later."))
         return true;
     }
@@ -139,8 +157,9 @@ class Opposites {
     if (!speaks_of_place(uses_.asked) || speaks_of_place(uses_.denied) || speaks_of_place(uses_.told)) return;
     if (uses_.bounds || knows(P::Covered) || knows(P::Empty) || knows(P::Clean) || knows(P::SliceOf)) return;
     for (std::size_t i = 1; i < words_.size(); ++i) {
-      const bool off = words_[i].text == "off" && !is_switched(i) && !ends_clause(words_, i + 1);
-      const bool out = words_[i].text == "out" && word(i + 1) == "of";
+      const bool off = words_[i].text == "off" && !is_switched(i) && !ends_clause(words_, i + 1) &&
+                       !is_any(words_[i - 1].text, "start. starting.");
+      const bool out = words_[i].text == "out" && word(i + 1) == "of" && words_[i - 1].text != "made";
       const bool from = words_[i].text == "from" && is_taken(i) && is_any(word(i + 1), "the. a. an. your. my. that.");
       if (off || out || from) return exceeds("'" + words_[i].text + "'");
     }
@@ -176,11 +195,18 @@ class Opposites {
     return false;
   }
 
+  /// "Up to two", not "which ones is up to you".
+  bool says_up_to_a_number() const {
+    for (std::size_t i = 0; i + 2 < words_.size(); ++i)
+      if (words_[i].text == "up" && words_[i + 1].text == "to" && is_number(words_[i + 2].text)) return true;
+    return false;
+  }
+
   /// "At most two", where two or more are wanted, and the other way around.
   void bounds() {
     if (!uses_.counts || uses_.compares) return;
     const bool upper = says({"at", "most"}) || says({"no", "more", "than"}) || says({"not", "more", "than"}) ||
-                       says({"up", "to"}) || any("maximum. fewer. less.");
+                       says_up_to_a_number() || any("maximum. fewer. less.");
     const bool not_fewer =
         says({"no", "fewer"}) || says({"no", "less"}) || says({"not", "fewer"}) || says({"not", "less"});
     const bool lower = says({"at", "least"}) || says({"or", "more"}) || any("minimum.") || not_fewer;
@@ -234,11 +260,8 @@ class Opposites {
 
   /// "The mug or the plate", where both are wanted, and "the mug and the plate", where one is.
   void choice() {
-    static const std::set<Style> kWithStories{Style::Aside,        Style::Context,   Style::Request,
-                                              Style::ImplicitNeed, Style::Condition, Style::Distractor};
     if (chooses(specification_.goal) && !any("or. either. one. whichever. alternatively. nor.")) lacks("'or'");
-    if (kWithStories.contains(specification_.style) || uses_.either || goal_.at_least || goal_.at_most || goal_.none)
-      return;
+    if (tells_a_story() || uses_.either || goal_.at_least || goal_.at_most || goal_.none) return;
     for (std::size_t i = 0; i < words_.size(); ++i)
       if (words_[i].text == "or" && !is_among(word(i + 1), "so. not. more. else.")) return exceeds("'or'");
   }

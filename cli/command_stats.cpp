@@ -81,7 +81,7 @@ Exit referent_stats(const StatsOptions& options, const CommandLine& program) {
     std::printf(
         "  beyond a wall: %d\n  phrases that mean another thing on foot: %d\n"
         "  without something that differs in just what the phrase says: %d\n"
-        "  told by a relation of a kind that none of the others has to anything: %d\n",
+        "  told by where they are, though none of the others is on, in, under or beside anything: %d\n",
         counts->beyond_wall, counts->rivals, counts->without_alternative, counts->without_relation);
   }
   return Exit::Ok;
@@ -229,9 +229,11 @@ void add_stats_command(CommandParser& app, CommandLine& program) {
   command->add_option("FOLDER", options->folders, "Finished data sets")->required()->folder();
   command->add_option("--rows", options->rows, "Rows of the longest table")->within(1, 1000000)->shows_default();
   add_threads_option(*command, options->threads, program);
-  command->add_flag("--words", options->words, "Print how instructions ask for things, beside goals that people wrote");
-  command->add_flag("--usual", options->usual,
-                    "Print how many of the categories with usual goals are in a goal, and the others (a minute)");
+  auto* const words = command->add_flag("--words", options->words,
+                                        "Print how instructions ask for things, beside goals that people wrote");
+  auto* const usual =
+      command->add_flag("--usual", options->usual,
+                        "Print how many of the categories with usual goals are in a goal, and the others (a minute)");
   auto* const referents = command->add_flag(
       "--referents", options->referents,
       "Print how many things referring phrases mean, by what they say, and how many cannot be told so");
@@ -239,6 +241,7 @@ void add_stats_command(CommandParser& app, CommandLine& program) {
                                           "Print which demonstrations park things, move what the goal does not speak "
                                           "of, use a device in another room though "
                                           "one is near, or leave open what they opened");
+  for (auto* const one : {words, usual, referents}) careful->excludes(one);
   command->add_flag("--json", options->json, "Print JSON with all rows")->excludes(referents)->excludes(careful);
   command->callback([options, &program] { program.exit = stats(*options, program); });
 }

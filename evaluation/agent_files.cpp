@@ -1,10 +1,12 @@
 #include "evaluation/agent_files.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
 
 #include "core/file_digest.h"
+#include "core/in_quotes.h"
 #include "core/text.h"
 #include "evaluation/child_process.h"
 
@@ -16,6 +18,12 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostFiles = 10'000;  // of a package
 
 Result<Done> add_file(std::map<std::string, std::string>& files, const fs::path& path, const std::string& name) {
+  const bool plain = std::none_of(name.begin(), name.end(), [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte < 0x20 || byte > 0x7e;
+  });
+  if (!plain)
+    return Error{Error::Kind::Usage, "--policy", {}, "its file " + in_quotes(name) + " has a name that is not ASCII"};
   const auto digest = digest_of_file(path);
   if (!digest) return digest.error();
   files[name] = digest->sha256;
@@ -66,12 +74,14 @@ Result<std::map<std::string, std::string>> files_of_python_policy(const std::str
   }
   for (const std::string& base : bases) {
     std::error_code failed;
-    const std::string module = join(parts, "/") + ".py";
-    const bool in_package = fs::is_directory(fs::path(base) / parts.front(), failed);
-    if (in_package) {
-      if (auto done = add_package(files, base, parts.front()); !done) return done.error();
-    } else if (parts.size() == 1 && fs::is_regular_file(fs::path(base) / module, failed)) {
+    // As Python looks for a name: a package, a module, a folder without __init__.py.
+    const fs::path package = fs::path(base) / parts.front();
+    const std::string module = parts.front() + ".py";
+    const bool is_package = fs::is_regular_file(package / "__init__.py", failed);
+    if (!is_package && fs::is_regular_file(fs::path(base) / module, failed)) {
       if (auto done = add_file(files, fs::path(base) / module, module); !done) return done.error();
+    } else if (fs::is_directory(package, failed)) {
+      if (auto done = add_package(files, base, parts.front()); !done) return done.error();
     }
     if (!files.empty()) break;
   }

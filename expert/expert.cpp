@@ -26,10 +26,10 @@ constexpr double kFailedLiteral = 100;  // surcharges that a failure teaches, in
 constexpr double kFailedThing = 30;
 constexpr int kTriesPerLiteral = 3;  // a truth that later steps keep undoing is given up after so many
 
-constexpr int kCompared = 6;        // further choices that are carried out once one works, the most promising first
-constexpr double kMostDearer = 6;   // none that seems to take so many actions more than the one that works
-constexpr int kMostActions = 3;     // times the steps of a plan: what fails after so many is given up
-constexpr int kMostOutOfSteps = 3;  // attempts; what asks for so much is not met by another order
+constexpr int kCompared = 6;         // further choices that are carried out once one works, the most promising first
+constexpr double kMostCostlier = 6;  // choices estimated to take more than these further actions are not compared
+constexpr int kMostActions = 3;      // times the steps of a plan: what fails after so many is given up
+constexpr int kMostOutOfSteps = 3;   // attempts; what asks for so much is not met by another order
 
 struct Choice {
   Alternative alternative;
@@ -214,11 +214,13 @@ std::variant<std::vector<Action>, Rejection> try_plans(ExecutionTree& executions
     std::vector<Action> actions = attempt.actions();
     actions.push_back(Action{ActionType::Stop, {}});
     auto needed = beginning.done.empty() ? needed_of(executions, attempt, actions) : std::optional(actions);
+    if (needed && compared == 0)
+      return std::vector(needed->begin() + static_cast<std::ptrdiff_t>(beginning.done.size()), needed->end());
     if (needed) {
       CheapestPlan cheapest(executions, situation, beginning, options, clears, std::move(*needed));
       for (int i = 0; i < compared; ++i) {
         const auto other = next_choice(alternatives, situation, tried);
-        if (!other || other->cost > choice->cost + kMostDearer) break;
+        if (!other || other->cost > choice->cost + kMostCostlier) break;
         cheapest.add(*other);
       }
       const auto best = without_parking(executions, cheapest.best(), beginning.done.size());

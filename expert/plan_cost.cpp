@@ -21,14 +21,14 @@ double way_to(const World& world, const Action& action) {
 
 struct Place {
   Vec3 position;
-  bool open = false;
+  bool open = false, on = false;
 };
 
 /// nullopt for what is not there.
 std::optional<Place> place_in(const World& world, const std::string& id) {
   const Node* node = world.find(id);
   if (node == nullptr) return std::nullopt;
-  return Place{node->pose.position, node->states.has(Predicate::Open)};
+  return Place{node->pose.position, node->states.has(Predicate::Open), node->states.has(Predicate::PowerOn)};
 }
 
 }  // namespace
@@ -43,7 +43,9 @@ PlanCost cost_of(ExecutionTree& executions, const std::vector<Action>& plan) {
     if (!executions.step(world, action).success) continue;
     const double straight = (world.agent().position - from).norm();
     meters += straight == 0 ? 0 : std::max(straight, way);
-    if (action.type == ActionType::Open || action.type == ActionType::PickUp) touched.insert(action.args.front());
+    const ActionType type = action.type;
+    if (type == ActionType::Open || type == ActionType::TurnOn || type == ActionType::PickUp)
+      touched.insert(action.args.front());
   }
   const auto named = categories_of(executions.goal());
   const auto is_bystander = [&](const std::string& id) {
@@ -54,10 +56,10 @@ PlanCost cost_of(ExecutionTree& executions, const std::vector<Action>& plan) {
   for (const std::string& id : touched) {
     const auto before = place_in(executions.world(), id), after = place_in(world, id);
     if (!before || !after) continue;
-    const bool opened = after->open && !before->open;
+    const bool opened = after->open && !before->open, turned_on = after->on && !before->on;
     const bool moved = (after->position - before->position).norm() > kMoved_m;
-    cost.steps += opened ? 1 : 0;
-    cost.disturbed += (opened || moved) && is_bystander(id) ? 1 : 0;
+    cost.steps += (opened ? 1 : 0) + (turned_on ? 1 : 0);
+    cost.disturbed += (opened || turned_on || moved) && is_bystander(id) ? 1 : 0;
   }
   return cost;
 }

@@ -10,9 +10,9 @@ namespace unietp {
 
 /// What a plan takes. The lesser is the better plan: fewer steps, then a shorter way, then less that is disturbed.
 struct PlanCost {
-  int steps = 0;      // `stop` included, and one to close each thing that the plan opens and leaves open
+  int steps = 0;      // `stop` included, and one to set back each thing that the plan leaves open or on (tidying.h)
   int meters = 0;     // walked, rounded
-  int disturbed = 0;  // things that the goal does not speak of and that the plan picks up or opens and leaves otherwise
+  int disturbed = 0;  // things that the goal does not speak of and that the plan leaves elsewhere, open or on
   auto operator<=>(const PlanCost&) const = default;
 };
 

@@ -185,7 +185,7 @@ std::string_view name_of(CarelessKind kind) {
     case CarelessKind::Moved:
       return "bystanders left elsewhere";
     case CarelessKind::MovedFreely:
-      return "of these, without need";
+      return "bystanders left elsewhere without need";
     case CarelessKind::FarAway:
       return "devices in another room though a nearer one would do";
     case CarelessKind::LeftOpen:

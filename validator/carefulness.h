@@ -21,7 +21,7 @@ enum class CarelessKind {
 };
 inline constexpr CarelessKind kCarelessKinds[] = {CarelessKind::Parked, CarelessKind::Moved, CarelessKind::MovedFreely,
                                                   CarelessKind::FarAway, CarelessKind::LeftOpen};
-/// For tables: "things parked and fetched again".
+/// For tables: "bystanders left elsewhere".
 std::string_view name_of(CarelessKind kind);
 
 /// What of that a plan does: for each kind the things, by id, each once, sorted.

@@ -27,7 +27,7 @@ READERS: dict[str, Callable[[Path], object]] = {
 
 @pytest.fixture
 def stranger(folder, tmp_path) -> Path:
-    """A copy of the data set that may be spoilt, in a folder beside a file that it has no business with."""
+    """A copy of the data set that may be spoiled, in a folder beside a file that it has no business with."""
     shutil.copytree(folder, tmp_path / "theirs" / "set")
     home = unietp.load_dataset(folder).home(0)
     (tmp_path / "outside").mkdir()

@@ -193,6 +193,8 @@ TEST(CanBeSaid, OnlyWhatTheHomeHas) {
   EXPECT_TRUE(can_be_said("I just had a bowl of soup.", home(), nouns)) << "a measure, and no name";
   EXPECT_TRUE(can_be_said("I can't sleep with all those mugs here.", home(), nouns));
   EXPECT_FALSE(can_be_said("I can't sleep with all those lamps on.", home(), nouns)) << "there is one";
+  EXPECT_TRUE(can_be_said("I want to bread the fish.", home(), nouns)) << "a verb";
+  EXPECT_FALSE(can_be_said("I want the bread.", home(), nouns));
 }
 
 /// An occasion that speaks of what is not at home is not drawn; where all do, there is no text in that style.

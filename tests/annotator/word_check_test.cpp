@@ -132,6 +132,22 @@ constexpr const char* kCleanFirst =
 constexpr const char* kTaken =
     "(exists (?a - (Mug :where (exists (?t - Table) (on ?a ?t)))) (exists (?b - Fridge) (at-end (inside ?a ?b))))";
 
+TEST(OppositeFaults, AreNoWordsThatSayAnotherThing) {
+  for (const auto& [goal, text] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"(exists (?a - Lamp) (at-end (power_on ?a)))", "Take the mug out and turn on the lamp."},
+           {"(exists (?a - Lamp) (at-end (power_on ?a)))", "Put the mug down, then turn on the lamp."},
+           {"(exists (?a - Mug) (exists (?b - Table) (at-end (on ?a ?b))))",
+            "Put the mug made out of clay on the table."},
+           {"(count >= 2 (?a - Mug) (exists (?b - Table) (at-end (on ?a ?b))))",
+            "Put two mugs on the table; which ones is up to you."}}) {
+    const auto faults = opposite_faults(tokens_of(text), asking(goal));
+    EXPECT_TRUE(faults.empty()) << text << ": " << faults.front();
+  }
+  const auto faults = opposite_faults(tokens_of("Put up to two mugs on the table."),
+                                      asking("(count >= 2 (?a - Mug) (exists (?b - Table) (at-end (on ?a ?b))))"));
+  EXPECT_FALSE(faults.empty());
+}
+
 TEST(OppositeFaults, AreWordsThatTurnTheMeaningAround) {
   const struct {
     const char *goal, *right, *wrong;

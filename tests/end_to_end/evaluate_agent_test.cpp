@@ -69,7 +69,10 @@ class EvaluateAgent : public ::testing::Test {
   ScratchFolder scratch_;
 };
 
-TEST_F(EvaluateAgent, AnotherModuleIsNotResumed) { expect_refusal("python:agent.Agent", "agent.py"); }
+TEST_F(EvaluateAgent, AnotherModuleIsNotResumed) {
+  fs::create_directories(file("agent"));  // which Python does not import in its place
+  expect_refusal("python:agent.Agent", "agent.py");
+}
 
 TEST_F(EvaluateAgent, AnotherPackageIsNotResumed) { expect_refusal("python:mine.agent.Agent", "mine/deep/more.py"); }
 

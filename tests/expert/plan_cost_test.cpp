@@ -69,7 +69,7 @@ TEST_F(PlanCosts, CountWhatIsMovedThoughTheGoalDoesNotSpeakOfIt) {
 }
 
 /// Those that the goal needs, of goals and homes of which the first plan that works is not always the best.
-TEST_F(Plans, ThatAreShownAreNoDearerThanTheFirstThatWorks) {
+TEST_F(Plans, ThatAreShownCostNoMoreThanTheFirstThatWorks) {
   int cheaper = 0;
   for (const char* text : {"(exists (?b - SideTable) (at-end (and (count >= 2 (?a - Mug) (on ?a ?b)) (count >= 1 (?c - "
                            "Apple) (on ?c ?b)))))",
