@@ -126,25 +126,23 @@ class CarefulReader {
       if (reaches_goal(without(id))) found_[CarelessKind::MovedFreely].insert(id);
     }
     for (const Action& action : plan_) {
-      if (action.type != ActionType::Open) continue;
+      const bool opens = action.type == ActionType::Open;
+      if (!opens && action.type != ActionType::TurnOn) continue;
       const std::string& id = action.args.front();
-      const auto is_open = [&id](const World& world) {
-        const Node* node = world.find(id);
-        return node != nullptr && node->states.has(Predicate::Open);
-      };
-      if (is_open(start_) || !is_open(end)) continue;
-      auto closing = plan_;
-      closing.push_back({ActionType::GoTo, {id}});
-      closing.push_back({ActionType::Close, {id}});
-      if (closes(closing, id)) found_[CarelessKind::LeftOpen].insert(id);
+      const Predicate state = opens ? Predicate::Open : Predicate::PowerOn;
+      if (has(start_, id, state) || !has(end, id, state)) continue;
+      auto longer = plan_;
+      longer.push_back({ActionType::GoTo, {id}});
+      longer.push_back({opens ? ActionType::Close : ActionType::TurnOff, {id}});
+      ModeEpisode episode = beginning();
+      for (const Action& one : longer) (void)episode.step(by_ids(one));
+      if (!has(episode.world(), id, state) && reaches_goal(longer)) found_[CarelessKind::LeftOpenOrOn].insert(id);
     }
   }
 
-  bool closes(const std::vector<Action>& plan, const std::string& id) const {
-    ModeEpisode episode = beginning();
-    for (const Action& action : plan) (void)episode.step(by_ids(action));
-    const Node* node = episode.world().find(id);
-    return node != nullptr && !node->states.has(Predicate::Open) && reaches_goal(plan);
+  static bool has(const World& world, const std::string& id, Predicate state) {
+    const Node* node = world.find(id);
+    return node != nullptr && node->states.has(state);
   }
 
   /// The plan in which a thing is never taken, nor put down.
@@ -188,8 +186,8 @@ std::string_view name_of(CarelessKind kind) {
       return "bystanders left elsewhere without need";
     case CarelessKind::FarAway:
       return "devices in another room though a nearer one would do";
-    case CarelessKind::LeftOpen:
-      return "things left open that could be closed";
+    case CarelessKind::LeftOpenOrOn:
+      return "things left open or on that could be set back";
   }
   return "";
 }

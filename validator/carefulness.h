@@ -13,14 +13,14 @@ namespace unietp {
 
 /// What a careful person would not do, or not without need.
 enum class CarelessKind {
-  Parked,       // a thing is put down, another is handled, and the thing is fetched again
-  Moved,        // what the goal does not speak of and nothing is done with lies elsewhere at the end
-  MovedFreely,  // of these: the goal is reached as well if it is left alone
-  FarAway,      // a device in another room is used, though one of its kind that is nearer would do
-  LeftOpen,     // what was opened is open at the end, though it could be closed
+  Parked,        // a thing is put down, another is handled, and the thing is fetched again
+  Moved,         // what the goal does not speak of and nothing is done with lies elsewhere at the end
+  MovedFreely,   // of these: the goal is reached as well if it is left alone
+  FarAway,       // a device in another room is used, though one of its kind that is nearer would do
+  LeftOpenOrOn,  // what was opened or turned on is so at the end, though it could be set back
 };
 inline constexpr CarelessKind kCarelessKinds[] = {CarelessKind::Parked, CarelessKind::Moved, CarelessKind::MovedFreely,
-                                                  CarelessKind::FarAway, CarelessKind::LeftOpen};
+                                                  CarelessKind::FarAway, CarelessKind::LeftOpenOrOn};
 /// For tables: "bystanders left elsewhere".
 std::string_view name_of(CarelessKind kind);
 

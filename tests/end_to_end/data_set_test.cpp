@@ -52,8 +52,9 @@ TEST(DataSet, HasCarefulDemonstrations) {
   ASSERT_LT(of_m1, of_m2) << ended.out;
   ASSERT_LT(of_m2, of_m3) << ended.out;
   const std::string in_m1 = ended.out.substr(of_m1, of_m2 - of_m1);
-  for (const char* none : {"of these, without need: 0", "devices in another room though a nearer one would do: 0",
-                           "things left open that could be closed: 0"})
+  for (const char* none :
+       {"bystanders left elsewhere without need: 0", "devices in another room though a nearer one would do: 0",
+        "things left open or on that could be set back: 0"})
     EXPECT_THAT(in_m1, ::testing::HasSubstr(none)) << ended.out;
   EXPECT_EQ(run_program({"stats", data_set_in_all_modes().string(), "--careful", "--json"}).code, 2);
 }

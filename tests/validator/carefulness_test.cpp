@@ -52,11 +52,18 @@ TEST_F(Careful, WhatIsParkedAndWhatIsLeftElsewhereIsFound) {
 TEST_F(Careful, WhatIsLeftOpenIsFoundUnlessTheGoalWantsItSo) {
   const std::vector<Action> opens{{ActionType::GoTo, {"fridge_1"}}, {ActionType::Open, {"fridge_1"}}};
   const auto plan = opens + fetch("mug_1") + put_on("sidetable_1");
-  EXPECT_THAT(of(kMugOnTable, plan), ElementsAre(Pair(CarelessKind::LeftOpen, ElementsAre("fridge_1"))));
+  EXPECT_THAT(of(kMugOnTable, plan), ElementsAre(Pair(CarelessKind::LeftOpenOrOn, ElementsAre("fridge_1"))));
   EXPECT_THAT(of(kMugOnTable, opens + std::vector<Action>{{ActionType::Close, {"fridge_1"}}} + fetch("mug_1") +
                                   put_on("sidetable_1")),
               IsEmpty());
   EXPECT_THAT(of("(exists (?f - Fridge) (at-end (open ?f)))", opens), IsEmpty());
+}
+
+TEST_F(Careful, WhatIsLeftOnIsFoundUnlessTheGoalWantsItSo) {
+  const std::vector<Action> on{{ActionType::GoTo, {"television_1"}}, {ActionType::TurnOn, {"television_1"}}};
+  EXPECT_THAT(of(kMugOnTable, on + fetch("mug_1") + put_on("sidetable_1")),
+              ElementsAre(Pair(CarelessKind::LeftOpenOrOn, ElementsAre("television_1"))));
+  EXPECT_THAT(of("(exists (?t - Television) (at-end (power_on ?t)))", on), IsEmpty());
 }
 
 TEST_F(Careful, ADeviceOfAnotherRoomIsFoundIfANearerOneWouldDo) {
