@@ -158,16 +158,16 @@ class Opposites {
     if (uses_.bounds || knows(P::Covered) || knows(P::Empty) || knows(P::Clean) || knows(P::SliceOf)) return;
     for (std::size_t i = 1; i < words_.size(); ++i) {
       const bool off = words_[i].text == "off" && !is_switched(i) && !ends_clause(words_, i + 1) &&
-                       !is_any(words_[i - 1].text, "start. starting.");
+                       !is_among(words_[i - 1].text, "start. starting.");
       const bool out = words_[i].text == "out" && word(i + 1) == "of" && words_[i - 1].text != "made";
-      const bool from = words_[i].text == "from" && is_taken(i) && is_any(word(i + 1), "the. a. an. your. my. that.");
+      const bool from = words_[i].text == "from" && is_taken(i) && is_among(word(i + 1), "the. a. an. your. my. that.");
       if (off || out || from) return exceeds("'" + words_[i].text + "'");
     }
   }
   /// Whether a verb of taking precedes in the same clause.
   bool is_taken(std::size_t at) const {
     for (std::size_t i = at; i-- > 0 && !ends_clause(words_, i);)
-      if (is_any(words_[i].text, "take. remove. get. grab. fetch. pull. clear. taking. removing. getting."))
+      if (is_among(words_[i].text, "take. remove. get. grab. fetch. pull. clear. taking. removing. getting."))
         return true;
     return false;
   }
