@@ -18,6 +18,14 @@ std::shared_ptr<const Profile> profile_of(const EnvironmentTask& task, const Set
   return profile;
 }
 
+/// Whether the moments of an answer end in the state that its changes say.
+bool leads_to_its_changes(const Scene& before, const SimulatorAnswer& answer) {
+  if (answer.moments.empty()) return true;
+  Scene then = before;
+  for (const Delta& moment : answer.moments) then = apply(std::move(then), moment);
+  return difference(then, apply(before, answer.changes)).empty();
+}
+
 }  // namespace
 
 std::string_view name_of(EpisodeEnd end) {
@@ -65,6 +73,10 @@ std::optional<SimulatorAnswer> EpisodeState::ask(const Action& action, const Del
   auto answer = simulator->act(action, theirs, ours);
   if (!answer) {
     broken = format(answer.error());
+    return std::nullopt;
+  }
+  if (answer->success && !leads_to_its_changes(theirs, *answer)) {
+    broken = "the simulator tells moments that do not lead to what changed as a whole";
     return std::nullopt;
   }
   if (answer->success) read_theirs(*answer);

@@ -21,10 +21,11 @@ const SharedTask& the_task() {
   return kTask;
 }
 
-/// Does what another environment does, but for one action, which it refuses, forgets, or breaks at.
+/// Does what another environment does, but for one action, which it refuses, forgets, tells two stories of, or breaks
+/// at.
 class Twin : public ActingSimulator {
  public:
-  enum class Whim { None, Refuses, Forgets, Breaks };
+  enum class Whim { None, Refuses, Forgets, Contradicts, Breaks };
   explicit Twin(Whim whim = Whim::None, ActionType at = ActionType::Stop) : whim_(whim), at_(at) {}
 
   Result<Done> begin(const EnvironmentTask&) override {
@@ -43,6 +44,7 @@ class Twin : public ActingSimulator {
     EXPECT_EQ(ours, result.executed.front().changes) << "what the action did in our physics is told";
     SimulatorAnswer answer{true, "", result.executed.front().changes, result.executed.front().moments};
     if (action.type == at_ && whim_ == Whim::Forgets) answer.changes = {}, answer.moments.clear();
+    if (action.type == at_ && whim_ == Whim::Contradicts) answer.moments = {Delta{}, Delta{}};
     edges_ = apply(now, answer.changes).edges;
     return answer;
   }
@@ -106,6 +108,19 @@ TEST(AnActingSimulator, MayRefuseWhatOurPhysicsAllow) {
     EXPECT_EQ(environment.privileged().failures, 1);
     break;
   }
+}
+
+TEST(AnActingSimulator, WhoseMomentsLeadElsewhereThanItsChangesIsNotBelieved) {
+  Environment environment = in_twin(Twin::Whim::Contradicts, ActionType::PickUp);
+  for (const Command& command : plan()) {
+    const StepResult result = environment.step(command);
+    if (command.action == "pick_up") {
+      EXPECT_TRUE(result.executed.empty());
+      break;
+    }
+    EXPECT_EQ(environment.broken(), "");
+  }
+  EXPECT_THAT(environment.broken(), HasSubstr("moments that do not lead to what changed"));
 }
 
 TEST(AnActingSimulator, ThatBreaksEndsTheEpisodeWithoutAStep) {
