@@ -164,9 +164,9 @@ class Opposites {
       if (off || out || from) return exceeds("'" + words_[i].text + "'");
     }
   }
-  /// Whether a verb of taking precedes in the same clause.
+  /// Whether a verb of taking precedes in the same clause, with a list of things in between.
   bool is_taken(std::size_t at) const {
-    for (std::size_t i = at; i-- > 0 && !ends_clause(words_, i);)
+    for (std::size_t i = at; i-- > 0 && (words_[i].text == "and" || !ends_clause(words_, i));)
       if (is_among(words_[i].text, "take. remove. get. grab. fetch. pull. clear. taking. removing. getting."))
         return true;
     return false;

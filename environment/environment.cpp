@@ -147,7 +147,7 @@ std::optional<int> Environment::expert_steps_left() const {
   if (!executions) return std::nullopt;
   ExpertOptions options;
   options.max_steps += static_cast<int>(state_->done->size());
-  const auto plan = find_plan_from(*executions, {*state_->done, {}, false}, options);
+  const auto plan = find_cheapest_plan_from(*executions, {*state_->done, {}, false}, options);
   const auto* actions = std::get_if<std::vector<Action>>(&plan);
   return actions == nullptr ? std::nullopt : std::optional(static_cast<int>(actions->size()));
 }

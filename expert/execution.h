@@ -12,7 +12,7 @@
 
 namespace unietp {
 
-/// What `demonstrate` shows, without looking: the actions of a plan, of which none can be missed, ending with `stop`.
+/// The first plan that works, without looking: its actions, of which none can be missed, ending with `stop`.
 std::variant<std::vector<Action>, Rejection> find_plan(ExecutionTree& executions, const ExpertOptions& options);
 
 /// What was done and learned before a plan failed.
@@ -24,6 +24,11 @@ struct ExecutedPrefix {
 /// How to go on from there: the actions after those that were done, ending with `stop`; some may not be needed.
 std::variant<std::vector<Action>, Rejection> find_plan_from(ExecutionTree& executions, const ExecutedPrefix& beginning,
                                                             const ExpertOptions& options);
+
+/// The same, compared with other choices as those of a demonstration are: the one that takes least (plan_cost.h).
+std::variant<std::vector<Action>, Rejection> find_cheapest_plan_from(ExecutionTree& executions,
+                                                                     const ExecutedPrefix& beginning,
+                                                                     const ExpertOptions& options);
 
 /// Does the actions from the start as an agent of the mode would live them; what it cannot say is left out.
 Demonstration record(ExecutionTree& executions, Mode mode, const std::vector<Action>& actions);

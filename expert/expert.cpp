@@ -251,12 +251,18 @@ std::variant<std::vector<Action>, Rejection> find_plan_from(ExecutionTree& execu
   return find_cheapest(executions, beginning, options, 0);
 }
 
+std::variant<std::vector<Action>, Rejection> find_cheapest_plan_from(ExecutionTree& executions,
+                                                                     const ExecutedPrefix& beginning,
+                                                                     const ExpertOptions& options) {
+  return find_cheapest(executions, beginning, options, kCompared);
+}
+
 std::variant<std::vector<Action>, Rejection> find_plan(ExecutionTree& executions, const ExpertOptions& options) {
   return find_plan_from(executions, {}, options);
 }
 
 std::variant<Demonstration, Rejection> demonstrate(ExecutionTree& executions, const ExpertOptions& options) {
-  auto plan = find_cheapest(executions, {}, options, kCompared);
+  auto plan = find_cheapest_plan_from(executions, {}, options);
   if (auto* why = std::get_if<Rejection>(&plan)) return std::move(*why);
   Demonstration demonstration = record(
       executions, Mode::M1, tidied(executions, rules_of(Mode::M1), std::get<std::vector<Action>>(std::move(plan))));
