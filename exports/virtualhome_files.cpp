@@ -94,7 +94,7 @@ ExportFormat virtualhome_format() {
 
 ExportFormat virtualhome_unity_format() {
   return {"virtualhome-unity",
-          "the same, of the tasks that Unity's classes and prefabs allow",
+          "the same, of tasks that Unity's classes and prefabs allow",
           {},
           true,
           write_virtualhome_unity_files,
