@@ -239,8 +239,8 @@ void add_stats_command(CommandParser& app, CommandLine& program) {
       "Print how many things referring phrases mean, by what they say, and how many cannot be told so");
   auto* const careful = command->add_flag("--careful", options->careful,
                                           "Print which demonstrations park things, move what the goal does not speak "
-                                          "of, use a device in another room though "
-                                          "one is near, or leave open what they opened");
+                                          "of, use a device in another room though one is near, or "
+                                          "leave open or on what they opened or turned on");
   for (auto* const one : {words, usual, referents}) careful->excludes(one);
   command->add_flag("--json", options->json, "Print JSON with all rows")->excludes(referents)->excludes(careful);
   command->callback([options, &program] { program.exit = stats(*options, program); });

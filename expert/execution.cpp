@@ -11,11 +11,6 @@ bool puts_down(ActionType type) {
   return type == ActionType::PlaceOn || type == ActionType::PlaceIn || type == ActionType::Drop;
 }
 
-bool only_moves_the_body(ActionType type) {
-  const ActionClass group = info(type).group;
-  return group != ActionClass::Manipulation && group != ActionClass::Composite && type != ActionType::Stop;
-}
-
 /// Leaves out runs of this length wherever the goal holds without them; true when some went.
 bool shorten(const Rollout& start, std::vector<Action>& actions, std::size_t length) {
   bool shorter = false;
@@ -46,6 +41,11 @@ bool leave_in_hand(const Rollout& start, std::vector<Action>& actions) {
 }
 
 }  // namespace
+
+bool only_leads_somewhere(const Action& action) {
+  const ActionClass group = info(action.type).group;
+  return group == ActionClass::Movement || group == ActionClass::Reach;
+}
 
 Demonstration record(ExecutionTree& executions, Mode mode, const std::vector<Action>& actions) {
   Demonstration demonstration;
@@ -99,7 +99,7 @@ std::vector<LeftInHand> left_in_hand(const std::vector<Action>& actions) {
     while (begin > 0 && actions[begin].type != ActionType::PickUp) --begin;
     if (actions[begin].type != ActionType::PickUp) continue;
     const std::string& thing = actions[begin].args.front();
-    while (begin > 0 && only_moves_the_body(actions[begin - 1].type)) --begin;
+    while (begin > 0 && only_leads_somewhere(actions[begin - 1])) --begin;
     const auto at = [&actions](std::size_t i) { return actions.begin() + static_cast<std::ptrdiff_t>(i); };
     LeftInHand mutant{thing, {at(0), at(begin)}};
     mutant.actions.insert(mutant.actions.end(), at(down + 1), actions.end() - 1);

@@ -30,6 +30,9 @@ std::variant<std::vector<Action>, Rejection> find_cheapest_plan_from(ExecutionTr
                                                                      const ExecutedPrefix& beginning,
                                                                      const ExpertOptions& options);
 
+/// Moves the body or camera, or goes or turns to something, and changes nothing else.
+bool only_leads_somewhere(const Action& action);
+
 /// Does the actions from the start as an agent of the mode would live them; what it cannot say is left out.
 Demonstration record(ExecutionTree& executions, Mode mode, const std::vector<Action>& actions);
 

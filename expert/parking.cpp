@@ -13,11 +13,6 @@ namespace {
 
 constexpr std::size_t kLongestDetour = 3;
 
-bool leads_somewhere(const Action& action) {
-  const ActionClass group = info(action.type).group;
-  return group == ActionClass::Movement || group == ActionClass::Reach;
-}
-
 bool puts_down(const Action& action) { return action.type == ActionType::PlaceOn || action.type == ActionType::Drop; }
 
 /// Of a plan, by position: a thing is taken, put down again, and taken once more; only others are handled in between.
@@ -42,7 +37,7 @@ std::optional<Parking> parking_in(const std::vector<Action>& plan, std::size_t f
     while (parked > *taken && !puts_down(plan[parked])) --parked;
     if (parked == *taken) continue;
     std::size_t way = *taken;
-    while (way > done && leads_somewhere(plan[way - 1])) --way;
+    while (way > done && only_leads_somewhere(plan[way - 1])) --way;
     return Parking{way, *taken, parked, *fetched};
   }
   return std::nullopt;
@@ -53,7 +48,7 @@ std::optional<Parking> parking_in(const std::vector<Action>& plan, std::size_t f
 std::vector<std::vector<Action>> with_others_first(const std::vector<Action>& plan, const Parking& parking) {
   const auto at = [&plan](std::size_t i) { return plan.begin() + static_cast<std::ptrdiff_t>(i); };
   const auto goes_to = [&at](std::size_t from, std::size_t to) {
-    const auto first = std::find_if_not(at(from), at(to), leads_somewhere);
+    const auto first = std::find_if_not(at(from), at(to), only_leads_somewhere);
     return first == at(to) || first->args.empty() ? Action{ActionType::TurnLeft, {}}
                                                   : Action{ActionType::GoTo, first->args};
   };

@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "expert/execution.h"
 #include "expert/rollout.h"
 #include "expert/search_marks.h"
 
@@ -102,12 +103,7 @@ class TidyingMarker {
  private:
   void mark_step(std::size_t i) {
     if (!mark_if_missed(i)) return;
-    while (i > 0 && only_leads_somewhere(steps_[i - 1].action.type) && mark_if_missed(i - 1)) --i;
-  }
-
-  static bool only_leads_somewhere(ActionType type) {
-    const ActionClass group = info(type).group;
-    return group == ActionClass::Movement || group == ActionClass::Reach;
+    while (i > 0 && only_leads_somewhere(steps_[i - 1].action) && mark_if_missed(i - 1)) --i;
   }
 
   bool mark_if_missed(std::size_t i) {

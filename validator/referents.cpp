@@ -61,11 +61,8 @@ std::optional<Predicate> relation_to_some(const Formula& test, const std::string
   return std::nullopt;
 }
 
-/// On, in or under something is one kind of relation, beside or nearest to something another.
-bool is_of_one_kind(Predicate a, Predicate b) {
-  const auto is_beside = [](Predicate one) { return one == Predicate::NextTo || one == Predicate::Nearest; };
-  return is_beside(a) == is_beside(b);
-}
+/// On, in or under something is one kind of relation, beside something another.
+bool is_of_one_kind(Predicate a, Predicate b) { return (a == Predicate::NextTo) == (b == Predicate::NextTo); }
 
 /// The relation that a test says the thing has to another thing, not to a room.
 std::optional<Predicate> relation_to_a_thing(const Formula& test, const std::string& variable) {
