@@ -4,11 +4,9 @@
 // of the whole evaluation with its results, each in a process of its own, by turns, and the least of three: a machine
 // that others use takes more. Pictures of the report are left out. Then the peak memory of one repeat and of four.
 //
-//   build/release/bench/evaluation_cost out/benchmark [TASKS]    of the first tasks only
+//   build/release/bench/evaluation_cost out/benchmark
 #include <algorithm>
-#include <charconv>
 #include <cstdio>
-#include <cstring>
 #include <ctime>
 #include <filesystem>
 #include <functional>
@@ -104,14 +102,12 @@ class Prepared : public Policy {
 struct Bench {
   fs::path dataset, scratch;
   std::shared_ptr<const Resources> resources;
-  int limit = 0;  // the first tasks only; 0: all
 
   TaskSource tasks() const { return sound(TaskSource::open(dataset, simulator_data(resources))); }
 
   EpisodePlan plan(const TaskSource& source, Mode mode, int repeats) const {
     EpisodeSelection selection;
     selection.modes = {mode};
-    selection.limit = limit;
     selection.repeats = repeats;
     return sound(plan_episodes(source, selection, true));
   }
@@ -154,7 +150,6 @@ struct Bench {
     setup.dataset.name = "bench";
     setup.agent = {AgentKind::Policy, "replay"};
     setup.selection.modes = {mode};
-    setup.selection.limit = limit;
     setup.selection.repeats = repeats;
     setup.settings = {{mode, settings_for(mode)}};
     const EpisodePlan episodes = plan(source, mode, repeats);
@@ -173,17 +168,15 @@ struct Bench {
 }  // namespace
 
 int main(int argc, char** argv) {
-  int limit = 0;
-  const bool counted = argc == 3 && std::from_chars(argv[2], argv[2] + std::strlen(argv[2]), limit).ec == std::errc();
-  if (argc != 2 && !(counted && limit > 0)) {
-    std::fprintf(stderr, "expected a data set with demonstrations, and perhaps a number of tasks\n");
+  if (argc != 2) {
+    std::fprintf(stderr, "expected a data set with demonstrations\n");
     return 2;
   }
   const DataFolders committed{UNIETP_SOURCE_DIR, fs::temp_directory_path() / "unietp-bench-cache"};
   auto reading = load_resources(committed);
   if (!reading.errors.empty()) return 2;
   Bench bench{argv[1], fs::temp_directory_path() / ("unietp-evaluation-cost-" + std::to_string(::getpid())),
-              std::make_shared<const Resources>(std::move(reading.resources)), limit};
+              std::make_shared<const Resources>(std::move(reading.resources))};
   std::printf("mode  environment  played         with results\n");
   std::fflush(stdout);
   const std::vector<Mode> modes = bench.tasks().modes();
