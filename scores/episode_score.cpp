@@ -7,6 +7,18 @@
 
 namespace unietp {
 
+namespace {
+
+/// Steps of the shortest plan that the data set has for a mode; nullopt: it has none.
+std::optional<int> known_plan(const EnvironmentTask& task, Mode mode) {
+  for (const TaskRecord::Count& shown : task.text.expert) {
+    if (shown.mode == mode) return shown.shortest == 0 ? shown.steps : shown.shortest;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 PartialScore score_episode(const EpisodeRecord& record, const ReplayedEpisode& replayed, const EnvironmentTask& task,
                            bool held_out) {
   PartialScore partial{{}, successful_actions(replayed)};
@@ -42,15 +54,16 @@ PartialScore score_episode(const EpisodeRecord& record, const ReplayedEpisode& r
     }
   }
   score.missed_stop = missed_stop(record, replayed);
+  score.shortest = known_plan(task, record.key.mode);
   for (const FailureClass& one : failure_classes(record, replayed, task)) score.classes.push_back(to_text(one));
   return partial;
 }
 
-EpisodeScore finalize_score(PartialScore partial, std::optional<int> shortest) {
+EpisodeScore finalize_score(PartialScore partial, std::optional<int> fewest) {
   EpisodeScore score = std::move(partial.score);
-  score.shortest = shortest;
+  if (fewest) score.shortest = std::min(score.shortest.value_or(*fewest), *fewest);
   score.premature_stop =
-      score.end == EpisodeOutcome::Stop && !score.success && too_early(partial.successful_actions, shortest);
+      score.end == EpisodeOutcome::Stop && !score.success && too_early(partial.successful_actions, score.shortest);
   if (!score.premature_stop) return score;
   const auto place = std::find_if(score.classes.begin(), score.classes.end(), [](const std::string& text) {
     const auto one = failure_class_of(text);

@@ -42,15 +42,16 @@ struct EpisodeScore {
 /// The part of an episode's score that does not depend on the other episodes of its run. They determine the shortest
 /// known plan, and with it whether the agent stopped too early.
 struct PartialScore {
-  EpisodeScore score;          // its premature_stop, shortest and the class of a premature stop are still missing
+  EpisodeScore score;          // its shortest is the data set's; premature_stop and the class of it are still missing
   int successful_actions = 0;  // `stop` among them
   bool operator==(const PartialScore&) const = default;
 };
 /// `held_out` as above.
 PartialScore score_episode(const EpisodeRecord& record, const ReplayedEpisode& replayed, const EnvironmentTask& task,
                            bool held_out);
-/// Completes a partial score. `shortest` as above.
-EpisodeScore finalize_score(PartialScore partial, std::optional<int> shortest);
+/// Completes a partial score. `fewest`: steps of the shortest success of its run at the task in its mode, if there is
+/// one.
+EpisodeScore finalize_score(PartialScore partial, std::optional<int> fewest);
 
 /// A line without its line feed. Equal scores give equal bytes.
 std::string score_line(const EpisodeScore& score);

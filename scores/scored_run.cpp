@@ -84,14 +84,10 @@ Result<RunOutline> outline_of(const std::filesystem::path& folder, int pictured)
   return outline;
 }
 
-std::optional<int> shortest_plan(const EpisodeKey& key, const EnvironmentTask& task, const RunOutline& outline) {
-  std::optional<int> shortest;
-  for (const TaskRecord::Count& shown : task.text.expert) {
-    if (shown.mode == key.mode) shortest = shown.shortest == 0 ? shown.steps : shown.shortest;
-  }
-  if (const auto own = outline.fewest.find({key.task, key.mode}); own != outline.fewest.end())
-    shortest = std::min(shortest.value_or(own->second), own->second);
-  return shortest;
+/// The fewest steps of a success of the run at the task of an episode in its mode.
+std::optional<int> fewest_steps(const EpisodeKey& key, const RunOutline& outline) {
+  const auto own = outline.fewest.find({key.task, key.mode});
+  return own == outline.fewest.end() ? std::nullopt : std::optional(own->second);
 }
 
 struct Scored {
@@ -108,8 +104,6 @@ struct Scorer {
   int picture_width;
 
   Result<Scored> score(int line, const EpisodeRecord& record) const {
-    const auto task = data.judging.tasks.task(record.key.task);
-    if (!task) return task.error();
     const bool pictured = picture_width > 0 && outline.pictured.contains(record.key);
     Scored scored;
     std::optional<JudgedEpisode> judged;
@@ -119,18 +113,20 @@ struct Scorer {
       judged = std::move(*kept);
     }
     if (!judged) {
-      auto again = judge_again(line, record, *task, pictured, scored.differences);
+      auto again = judge_again(line, record, pictured, scored.differences);
       if (!again) return again.error();
       judged = std::move(*again);
     }
-    scored.score = finalize_score(std::move(judged->score), shortest_plan(record.key, **task, outline));
+    scored.score = finalize_score(std::move(judged->score), fewest_steps(record.key, outline));
     scored.view = std::move(judged->view);
     return scored;
   }
 
  private:
-  Result<JudgedEpisode> judge_again(int line, const EpisodeRecord& record, const SharedTask& task, bool pictured,
+  Result<JudgedEpisode> judge_again(int line, const EpisodeRecord& record, bool pictured,
                                     std::vector<ScoringDifference>& found) const {
+    const auto task = data.judging.tasks.task(record.key.task);
+    if (!task) return task.error();
     const auto settings = manifest.setup.settings.find(record.key.mode);
     if (settings == manifest.setup.settings.end())
       return Error{Error::Kind::Schema,
@@ -149,11 +145,11 @@ struct Scorer {
     WatchEpisode look;
     if (pictured)
       look = [&](std::size_t, const Environment& now) { pictures.push_back(view_picture(now, picture_width)); };
-    const auto replayed = replay_episode(record, task, settings->second, look);
+    const auto replayed = replay_episode(record, *task, settings->second, look);
     if (!replayed) return replayed.error();
-    for (EpisodeDifference& one : differences(record, *replayed, *task))
+    for (EpisodeDifference& one : differences(record, *replayed, **task))
       found.push_back({line, record.key, std::move(one)});
-    return judge_episode(record, *replayed, *task, data.judging, pictures);
+    return judge_episode(record, *replayed, **task, data.judging, pictures);
   }
 };
 
