@@ -60,7 +60,7 @@ TEST(BatchFolder, IsNotLeftBehindEmpty) {
 /// One of two runs may be refused; the one that is not finds its folder until its end. In every other round it ends
 /// only after the other was refused.
 TEST(BatchFolder, IsNotTakenAwayByAnotherRunThatBeginsOrEndsAtTheSameTime) {
-  constexpr int kRounds = 200;
+  constexpr int kRounds = 40;
   const ScratchFolder folder;
   std::array<int, 2> written{};
   std::barrier both(2);
