@@ -53,15 +53,17 @@ fs::path one_name_of(const fs::path& path) {
 
 Result<FolderLock> FolderLock::take(const fs::path& asked) {
   const fs::path folder = one_name_of(asked), path = folder.string() + ".lock";
-  std::error_code code;
-  fs::create_directories(folder.parent_path(), code);
-  if (code)
-    return lock_error(
-        Error::Kind::Io, asked,
-        "cannot create the folder that it is to be in: " + code.message() + "; choose a folder that you can write to");
-  for (;;) {
+  constexpr int kMostTries = 100;
+  for (int tried = 1;; ++tried) {
+    std::error_code code;
+    fs::create_directories(folder.parent_path(), code);
+    if (code)
+      return lock_error(Error::Kind::Io, asked,
+                        "cannot create the folder that it is to be in: " + code.message() +
+                            "; choose a folder that you can write to");
     const bool there = fs::exists(path, code);
     const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (file < 0 && errno == ENOENT && tried < kMostTries) continue;  // who made the folder has just removed it
     if (file < 0)
       return lock_error(
           Error::Kind::Io, asked,

@@ -22,26 +22,34 @@ std::string file_name(int number) {
 
 }  // namespace
 
-EmptyFolders::EmptyFolders(const fs::path& folder) {
+Result<MadeFolders> MadeFolders::make(const fs::path& folder) {
   std::error_code code;
+  std::vector<fs::path> missing;  // the deepest first
   for (fs::path path = one_name_of(folder); !path.empty() && !fs::exists(path, code); path = path.parent_path())
-    missing_.push_back(path);
+    missing.push_back(path);
+  MadeFolders folders;
+  for (auto path = missing.rbegin(); path != missing.rend(); ++path) {
+    if (fs::create_directory(*path, code)) folders.made_.push_back(*path);  // false when another was faster
+    if (code) return Error{Error::Kind::Io, folder.string(), {}, "cannot create this folder: " + code.message()};
+  }
+  return folders;
 }
 
-EmptyFolders::~EmptyFolders() {
+MadeFolders::~MadeFolders() {
   std::error_code code;
-  for (const fs::path& path : missing_)
-    if (fs::is_directory(path, code)) fs::remove(path, code);  // one with anything in it stays
+  for (auto path = made_.rbegin(); path != made_.rend(); ++path)
+    if (fs::is_directory(*path, code)) fs::remove(*path, code);  // one with anything in it stays
 }
 
 Result<BatchFolder> BatchFolder::open(const fs::path& folder, std::string model) {
-  EmptyFolders missing(folder);
+  auto around = MadeFolders::make(one_name_of(folder).parent_path());
+  if (!around) return around.error();
   auto lock = FolderLock::take(folder);
   if (!lock) return lock.error();
-  BatchFolder batch(std::move(missing), std::move(*lock), folder, batch_endpoint(std::move(model)));
+  auto own = MadeFolders::make(folder);
+  if (!own) return own.error();
+  BatchFolder batch(std::move(*around), std::move(*lock), std::move(*own), folder, batch_endpoint(std::move(model)));
   std::error_code code;
-  fs::create_directories(folder, code);
-  if (code) return Error{Error::Kind::Io, folder.string(), {}, "cannot create this folder: " + code.message()};
   if (auto writable = check_writable(folder / file_name(0)); !writable) return writable.error();
   std::vector<fs::path> files;
   for (auto it = fs::directory_iterator(folder, code); !code && it != fs::directory_iterator(); it.increment(code))

@@ -12,17 +12,19 @@
 
 namespace unietp {
 
-/// The folders that are not there yet on the way to one. Those of them that are there and empty when this ends are
-/// removed: who fails leaves none behind.
-class EmptyFolders {
+/// Folders that this process made on the way to one. Those of them that are empty when this ends are removed: who fails
+/// leaves none behind, and nobody removes what another process made.
+class MadeFolders {
  public:
-  explicit EmptyFolders(const std::filesystem::path& folder);
-  EmptyFolders(EmptyFolders&&) = default;
-  EmptyFolders& operator=(EmptyFolders&&) = delete;
-  ~EmptyFolders();
+  /// Makes `folder` and what is missing above it. Errors: Io.
+  static Result<MadeFolders> make(const std::filesystem::path& folder);
+  MadeFolders(MadeFolders&&) = default;
+  MadeFolders& operator=(MadeFolders&&) = delete;
+  ~MadeFolders();
 
  private:
-  std::vector<std::filesystem::path> missing_;  // the deepest first
+  MadeFolders() = default;
+  std::vector<std::filesystem::path> made_;  // the deepest last
 };
 
 /// A folder through which a provider's batch service is asked: `requests-0001.jsonl` … are written here,
@@ -50,14 +52,16 @@ class BatchFolder {
   Result<Report> finish();
 
  private:
-  BatchFolder(EmptyFolders missing, FolderLock lock, std::filesystem::path folder, LlmEndpoint endpoint)
-      : missing_(std::move(missing)),
+  BatchFolder(MadeFolders around, FolderLock lock, MadeFolders own, std::filesystem::path folder, LlmEndpoint endpoint)
+      : around_(std::move(around)),
         lock_(std::move(lock)),
+        own_(std::move(own)),
         folder_(std::move(folder)),
         endpoint_(std::move(endpoint)) {}
 
-  EmptyFolders missing_;  // ends after the lock, whose file is beside the folder
-  FolderLock lock_;       // or two runs would give their request files the same number
+  MadeFolders around_;  // ends after the lock, whose file is in one of them
+  FolderLock lock_;     // or two runs would give their request files the same number
+  MadeFolders own_;     // ends before the lock: another run may have the folder from then on
   std::filesystem::path folder_;
   LlmEndpoint endpoint_;
   BatchAnswers answers_;

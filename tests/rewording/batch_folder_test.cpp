@@ -2,7 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
+#include <barrier>
 #include <filesystem>
+#include <thread>
 
 #include "core/files.h"
 #include "tests/support/scratch_folder.h"
@@ -52,6 +55,34 @@ TEST(BatchFolder, IsNotLeftBehindEmpty) {
     ASSERT_TRUE(batch->finish());
   }
   EXPECT_TRUE(std::filesystem::exists(inner / "requests-0001.jsonl"));
+}
+
+/// One of two runs may be refused; the one that is not finds its folder until its end. In every other round it ends
+/// only after the other was refused.
+TEST(BatchFolder, IsNotTakenAwayByAnotherRunThatBeginsOrEndsAtTheSameTime) {
+  constexpr int kRounds = 40;
+  const ScratchFolder folder;
+  std::array<int, 2> written{};
+  std::barrier both(2);
+  const auto run = [&](std::size_t which) {
+    const std::string own = "user " + std::to_string(which);
+    for (int round = 0; round < kRounds; ++round) {
+      both.arrive_and_wait();
+      auto batch = BatchFolder::open(folder.path() / std::to_string(round) / "new" / "batch", "model");
+      if (round % 2 == 0) both.arrive_and_wait();
+      if (!batch) {
+        EXPECT_EQ(batch.error().kind, Error::Kind::Usage) << batch.error().message;
+        continue;
+      }
+      (void)batch->ask({{"system", own, "answer", "{\"type\":\"object\"}", {}, {}}});
+      const auto report = batch->finish();
+      EXPECT_TRUE(report && read_file(report->new_files.front()).value().find(own) != std::string::npos)
+          << "round " << round << (report ? "" : ": " + report.error().message);
+      ++written[which];
+    }
+  };
+  { const std::jthread one(run, 0), other(run, 1); }
+  EXPECT_GE(written[0] + written[1], kRounds) << "both were refused";
 }
 
 }  // namespace
