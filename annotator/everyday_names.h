@@ -1,14 +1,48 @@
 #pragma once
 
+#include <filesystem>
+#include <map>
+#include <string>
 #include <string_view>
+#include <vector>
+
+#include "core/error.h"
 
 namespace unietp {
 
 /// The English that instructions are written in. Both are read.
 enum class English { Us, Gb };
 
-/// What people call what the knowledge base calls `name`, in singular: "stove", or "cooker" in Britain, for "oven
-/// stove". "" where they call it so, too.
-std::string_view everyday_name(std::string_view name, English english);
+/// What people call things every day, where the knowledge base calls them otherwise, and which of its synonyms texts do
+/// not use. Read only after loading; with no rows, things are called what the knowledge base calls them.
+class EverydayNames {
+ public:
+  /// A row of everyday_names.csv: what people call a thing in singular.
+  struct Forms {
+    std::string us, gb;
+  };
+  /// A row of rare_names.csv: in which English people say it.
+  struct Use {
+    bool us = false, gb = false;
+  };
+
+  EverydayNames() = default;
+  EverydayNames(std::map<std::string, Forms, std::less<>> names, std::map<std::string, Use, std::less<>> rare);
+
+  /// What people call what the knowledge base calls `name`, in singular: "stove", or "cooker" in Britain, for "oven
+  /// stove". "" where they call it so, too. Valid as long as this object.
+  std::string_view of(std::string_view name, English english) const;
+  /// Whether a text may use a synonym of the knowledge base: false for what only a dictionary, a shop or the other
+  /// English says.
+  bool is_said(std::string_view synonym, English english) const;
+
+ private:
+  std::map<std::string, Forms, std::less<>> names_;  // by what the knowledge base says
+  std::map<std::string, Use, std::less<>> rare_;     // by synonym
+};
+
+/// Reads everyday_names.csv and rare_names.csv (name,us,gb,source) of a folder (data/english). Errors are appended,
+/// with file, line and column: Io, Parse, Schema; Schema for a name that stands twice.
+EverydayNames read_everyday_names(const std::filesystem::path& folder, std::vector<Error>& errors);
 
 }  // namespace unietp

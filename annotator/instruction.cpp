@@ -406,10 +406,6 @@ class Writer {
 
 }  // namespace
 
-Result<Instruction> write_instruction(const Specification& specification, const Knowledge& knowledge, Rng rng) {
-  return write_instruction(specification, knowledge, NounTable(knowledge), {}, rng);
-}
-
 Result<Instruction> write_instruction(const Specification& specification, const Knowledge& knowledge,
                                       const NounTable& nouns, const WritingOptions& options, Rng rng) {
   const auto narrowed = narrowed_for(specification, knowledge, nouns);
@@ -421,10 +417,6 @@ Result<Instruction> write_instruction(const Specification& specification, const 
   return writer.failure();
 }
 
-Result<Formula> parse_instruction(std::string_view text, const Knowledge& knowledge) {
-  return parse_with(text, NounTable(knowledge));
-}
-
 Result<Formula> goal_of_text(const std::string& text, const Specification& specification, const Knowledge& knowledge,
                              const NounTable& nouns, const Scene& home) {
   return TextChecker(specification, knowledge, nouns, &home).goal_of(text);
@@ -434,11 +426,6 @@ std::string misreading(const std::string& text, const Specification& specificati
                        const NounTable& nouns, const Scene* home) {
   const auto narrowed = narrowed_for(specification, knowledge, nouns);
   return TextChecker(specification, knowledge, narrowed ? *narrowed : nouns, home).misreading(text);
-}
-
-std::vector<std::string> check_instruction(const std::string& text, const Specification& specification,
-                                           const Knowledge& knowledge) {
-  return check_instruction(text, specification, knowledge, NounTable(knowledge));
 }
 
 std::vector<std::string> check_instruction(const std::string& text, const Specification& specification,

@@ -41,12 +41,6 @@ struct WritingOptions {
 /// asked for.
 Result<Instruction> write_instruction(const Specification& specification, const Knowledge& knowledge,
                                       const NounTable& nouns, const WritingOptions& options, Rng rng);
-/// The same with a table of nouns made for this text and default options.
-Result<Instruction> write_instruction(const Specification& specification, const Knowledge& knowledge, Rng rng);
-
-/// Reads an instruction of the grammar back into a goal formula: an independent reading of the words with the knowledge
-/// base as lexicon. Errors: Parse with the column of the first word that is not understood.
-Result<Formula> parse_instruction(std::string_view text, const Knowledge& knowledge);
 
 /// The checks of a text in the grammar's English: its form (word_check.h), and it reads back as a goal that is proven
 /// to mean the same; where the words have several readings, exactly one of them can be meant in the home
@@ -63,8 +57,5 @@ std::string misreading(const std::string& text, const Specification& specificati
 /// read in several ways there or in none, and whose "it" is not what was named last.
 Result<Formula> goal_of_text(const std::string& text, const Specification& specification, const Knowledge& knowledge,
                              const NounTable& nouns, const Scene& home);
-/// The same with a table of nouns made for this text.
-std::vector<std::string> check_instruction(const std::string& text, const Specification& specification,
-                                           const Knowledge& knowledge);
 
 }  // namespace unietp

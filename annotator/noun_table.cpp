@@ -6,7 +6,6 @@
 
 #include "annotator/everyday_names.h"
 #include "annotator/plural.h"
-#include "annotator/rare_names.h"
 #include "core/text.h"
 
 namespace unietp {
@@ -153,9 +152,10 @@ std::string with_tops(std::string text, const NounTable& nouns) {
   return text;
 }
 
-NounTable::NounTable(const Knowledge& knowledge, English english) {
+NounTable::NounTable(const Knowledge& knowledge, SharedValue<EverydayNames> everyday, English english) {
   Names made;
   made.english = english;
+  made.everyday = std::move(everyday);
   std::set<std::string> rooms, colours, materials;
   std::set<std::string, std::less<>> taken;
   for (const Category& category : knowledge.categories()) taken.insert(category.display);
@@ -188,8 +188,8 @@ NounTable::NounTable(const Knowledge& knowledge, English english) {
 void NounTable::add_category(Names& made, const Category& category, std::set<std::string, std::less<>>& taken) {
   made.names[category.name] = {category.display, category.plural, category.countable, category.movable};
   for (const English one : {made.english, made.english == English::Us ? English::Gb : English::Us}) {
-    const std::string_view usual = everyday_name(category.display, one);
-    const bool again = one != made.english && usual == everyday_name(category.display, made.english);
+    const std::string_view usual = made.everyday->of(category.display, one);
+    const bool again = one != made.english && usual == made.everyday->of(category.display, made.english);
     if (usual.empty() || usual == category.display || again || !taken.emplace(usual).second) continue;
     const bool countable = category.countable || usual.find(" of ") != usual.npos;  // "roll of toilet paper"
     const Name name{std::string(usual), countable ? plural_of(usual) : std::string(usual), countable, category.movable};
@@ -220,7 +220,7 @@ void NounTable::add_synonym(Names& made, const Alias& alias, const Category& cat
   if (alias.text == things_of_set(made.names[alias.category].singular)) return;  // read as the set already
   const Name name{alias.text, category.countable ? plural_of(alias.text) : alias.text, category.countable,
                   category.movable};
-  if (alias.source.confidence >= kSaid && is_said(alias.text, made.english))
+  if (alias.source.confidence >= kSaid && made.everyday->is_said(alias.text, made.english))
     made.synonyms[alias.category].push_back(name);
   const Domain noun = of_category(alias.category);
   add(made.nouns, name.singular, noun, name.countable, false, !name.countable, 1);
@@ -242,7 +242,7 @@ void NounTable::index_phrase(Names& made, const std::string& text, const Phrase&
 
 void NounTable::add_room(Names& made, const std::string& room) {
   if (made.names.contains(room)) return;
-  const std::string_view usual = everyday_name(spaced(room), made.english);
+  const std::string_view usual = made.everyday->of(spaced(room), made.english);
   for (const std::string& name : {spaced(room), std::string(usual)}) {
     if (name.empty()) continue;
     made.names[room] = {name, plural_of(name), true, false};

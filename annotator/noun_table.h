@@ -11,6 +11,7 @@
 
 #include "akb/knowledge.h"
 #include "annotator/everyday_names.h"
+#include "core/shared_value.h"
 #include "logic/formula.h"
 
 namespace unietp {
@@ -45,11 +46,12 @@ std::string with_tops(std::string text, const NounTable& nouns);
 /// "a mug", "an apple", "an hour glass", "a utensil": by pronunciation; "half an apple".
 std::string with_article(const std::string& noun);
 
-/// What the objects of a knowledge base are called: display names, plurals, synonyms, function phrases, room types.
-/// Making one costs milliseconds and is done once for a knowledge base; a copy shares all but the phrases.
+/// What the objects of a knowledge base are called: display names, plurals, synonyms, function phrases, room types;
+/// display names are those that people say every day. Making one costs milliseconds and is done once for a knowledge
+/// base; a copy shares all but the phrases.
 class NounTable {
  public:
-  explicit NounTable(const Knowledge& knowledge, English english = English::Us);
+  NounTable(const Knowledge& knowledge, SharedValue<EverydayNames> everyday, English english = English::Us);
 
   struct Name {
     std::string singular, plural;
@@ -84,6 +86,8 @@ class NounTable {
 
   /// The English that its display names are of.
   English english() const { return fixed_->english; }
+  /// What it was made with.
+  const SharedValue<EverydayNames>& everyday() const { return fixed_->everyday; }
   bool is_room_type(const std::string& category) const;  // by the knowledge base, as the two below
   bool is_colour(const std::string& word) const;
   bool is_material(const std::string& word) const;
@@ -133,6 +137,7 @@ class NounTable {
 
   struct Names {  // immutable
     English english = English::Us;
+    SharedValue<EverydayNames> everyday;
     std::map<std::string, Name, std::less<>> names;
     std::map<std::string, std::vector<Name>, std::less<>> synonyms;
     std::vector<std::string> room_types, colours, materials;  // sorted

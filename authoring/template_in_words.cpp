@@ -95,7 +95,8 @@ std::optional<std::string> goal_in_words(const Template& source) {
   specification.template_name = source.name;
   specification.split = source.split;
   specification.goal = substitute_names(source.goal, bindings);
-  const auto written = write_instruction(specification, of_placeholders(source), Rng(0));
+  const Knowledge knowledge = of_placeholders(source);
+  const auto written = write_instruction(specification, knowledge, NounTable(knowledge, {}), {}, Rng(0));
   if (!written) return std::nullopt;
   return with_placeholders(written->text, source);
 }

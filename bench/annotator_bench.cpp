@@ -24,7 +24,8 @@ const Material& material() {
     const auto database = std::filesystem::temp_directory_path() / "unietp-annotator-bench.sqlite";
     (void)compile_knowledge(root / "data/akb", database);
     auto knowledge = *load_knowledge(database, Simulator::Ai2thor);
-    NounTable nouns(knowledge);
+    std::vector<Error> errors;
+    NounTable nouns(knowledge, read_everyday_names(root / "data/english", errors));
     std::vector<Specification> tasks;
     for (const Template& source : load_templates(root / "templates/library").templates) {
       const auto binding = sample_binding(source, knowledge, {}, Rng(3));

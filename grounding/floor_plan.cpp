@@ -7,8 +7,6 @@
 #include <tuple>
 #include <utility>
 
-#include "grounding/room_doors.h"
-
 namespace unietp {
 namespace {
 
@@ -232,12 +230,12 @@ std::optional<std::vector<Rect>> draw_places(const std::vector<RoomRequest>& req
 
 }  // namespace
 
-std::optional<FloorPlan> draw_floor_plan(const std::vector<RoomRequest>& requests, Rng rng) {
+std::optional<FloorPlan> draw_floor_plan(const std::vector<RoomRequest>& requests, const RoomDoors& doors, Rng rng) {
   const auto rects = draw_places(requests, rng);
   if (!rects || !well_formed(*rects, requests)) return std::nullopt;
   std::vector<std::string> types;
   for (const RoomRequest& request : requests) types.push_back(request.type);
-  const auto chosen = choose_openings(types, shared_walls(*rects), rng);
+  const auto chosen = choose_openings(types, shared_walls(*rects), doors, rng);
   if (!chosen) return std::nullopt;
   Vec2 corner = rects->front().low;
   for (const Rect& rect : *rects) corner = corner.cwiseMin(rect.low);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/rng.h"
+#include "grounding/room_doors.h"
 #include "scene/scene.h"
 
 namespace unietp {
@@ -32,7 +33,7 @@ struct RoomRequest {
 /// enters the home by: it has an outer wall. Rooms come in the order of the requests, axis-parallel rectangles with
 /// corners at whole decimetres; ids are type_1, type_2, …. nullopt when this draw gives a room that is too narrow or
 /// cannot be joined so. Deterministic in rng.
-std::optional<FloorPlan> draw_floor_plan(const std::vector<RoomRequest>& requests, Rng rng);
+std::optional<FloorPlan> draw_floor_plan(const std::vector<RoomRequest>& requests, const RoomDoors& doors, Rng rng);
 
 /// A part of a room's wall, seen from inside: side 0 is the wall at the low y, 1 at the high x, 2 at the high y, 3 at
 /// the low x; from and to along it, W.

@@ -92,7 +92,7 @@ std::optional<Scene> draw_empty_home(const LayoutRecipe& recipe, Simulator simul
   const std::size_t count = std::max(static_cast<std::size_t>(std::max(rooms, 0)), kFewestRooms);
   for (std::uint64_t i = 0; i < kPlans; ++i) {
     const Rng plan_rng = rng.fork("plan", i);
-    auto plan = draw_floor_plan(draw_rooms(recipe, count, plan_rng.fork("rooms", 0)), plan_rng);
+    auto plan = draw_floor_plan(draw_rooms(recipe, count, plan_rng.fork("rooms", 0)), recipe.doors, plan_rng);
     if (!plan) continue;
     Scene scene;
     scene.id = id;

@@ -86,27 +86,13 @@ Result<Scene> benchmark_layout(const BenchmarkLayout& layout, const LayoutRecipe
   return first_of(recipe, knowledge, profile, options, layout.id, stream);
 }
 
-HomeScale home_scale(Simulator simulator) {
-  switch (simulator) {
-    case Simulator::Virtualhome:
-      return {4, 6, 28};
-    case Simulator::Ai2thor:
-      return {5, 8, 30};
-    case Simulator::Behavior:
-      return {7, 10, 31.4};
-    case Simulator::Habitat:
-      return {8, 11, 29.5};
-  }
-  return {};
-}
-
 Result<Scene> training_layout(const LayoutRecipe& recipe, const Knowledge& knowledge, const Profile& profile,
                               std::uint64_t n, std::uint64_t seed) {
   const Simulator simulator = knowledge.simulator();
   const Rng stream = Rng(seed).fork("training-layout", static_cast<std::uint64_t>(simulator)).fork("home", n);
   Rng draw = stream.fork("size", 0);
   LayoutOptions options;
-  const HomeScale scale = home_scale(simulator);
+  const HomeScale& scale = recipe.scale;
   const auto sizes = static_cast<std::uint64_t>(scale.most_rooms - scale.fewest_rooms + 1);
   options.rooms = scale.fewest_rooms + static_cast<int>(draw.below(sizes));
   options.objects = static_cast<int>(std::lround(scale.objects_a_room * options.rooms));

@@ -36,17 +36,9 @@ Result<std::vector<BenchmarkLayout>> benchmark_layouts(const std::filesystem::pa
 Result<Scene> benchmark_layout(const BenchmarkLayout& layout, const LayoutRecipe& recipe, const Knowledge& knowledge,
                                const Profile& profile);
 
-/// How large the homes of a simulator are, those of the benchmark on average and those for training evenly:
-/// VirtualHome's have 5 rooms and 140 objects, AI2-THOR's 6.5 and 195, BEHAVIOR's 8.5 and 267, Habitat's 9.5 and 280.
-struct HomeScale {
-  int fewest_rooms = 0, most_rooms = 0;
-  double objects_a_room = 0;  // furniture and small things together
-};
-HomeScale home_scale(Simulator simulator);
-
 /// Home number `n` of the training pool of `seed`: as many as wanted. Benchmark and training draw from streams of
-/// different names, so that no n and no seed leads to a home of the benchmark. It is as large as home_scale
-/// says. Errors: those of generate_layout.
+/// different names, so that no n and no seed leads to a home of the benchmark. It is as large as the
+/// recipe's scale says. Errors: those of generate_layout.
 Result<Scene> training_layout(const LayoutRecipe& recipe, const Knowledge& knowledge, const Profile& profile,
                               std::uint64_t n, std::uint64_t seed);
 

@@ -16,7 +16,8 @@ const std::vector<std::string> kRoomColumns{"room", "weight", "at_least", "at_mo
 const std::vector<std::string> kFurnitureColumns{"room", "category", "mean", "at_least", "at_most", "where", "source"};
 const std::vector<std::string> kObjectColumns{"room", "category", "mean", "source"};
 const std::vector<std::string> kReceptacleColumns{"category", "mean", "source"};
-constexpr double kMostOfAKind = 20, kMostArea_m2 = 80, kMostHeld = 200;
+const std::vector<std::string> kScaleColumns{"simulator", "fewest_rooms", "most_rooms", "objects_a_room", "source"};
+constexpr double kMostOfAKind = 20, kMostArea_m2 = 80, kMostHeld = 200, kMostInARoom = 100;
 constexpr std::size_t kRoomTypesOfAHome = 4;
 
 class RecipeReader {
@@ -142,7 +143,41 @@ class RecipeReader {
   std::vector<Error> errors_;
 };
 
+/// What all simulators share.
+Result<Done> add_common(const std::filesystem::path& folder, Simulator simulator, LayoutRecipe& recipe) {
+  const auto doors = folder / "room_doors.csv", scales = folder / "home_scales.csv";
+  const auto doors_text = read_file(doors), scales_text = read_file(scales);
+  if (!doors_text) return doors_text.error();
+  if (!scales_text) return scales_text.error();
+  std::vector<Error> errors;
+  recipe.doors = read_room_doors(doors.string(), *doors_text, errors);
+  recipe.scale = read_home_scales(scales.string(), *scales_text, errors)[simulator];
+  if (!errors.empty()) return errors.front();
+  return Done{};
+}
+
 }  // namespace
+
+std::map<Simulator, HomeScale> read_home_scales(std::string_view where, std::string_view text,
+                                                std::vector<Error>& errors) {
+  std::map<Simulator, HomeScale> scales;
+  RowReader row(std::string(where), text, kScaleColumns, errors);
+  for (const CsvRow& cells : row.rows()) {
+    row.at(cells);
+    const auto simulator = simulator_named(row.required("simulator"));
+    if (!simulator) row.fail("simulator", "'" + row.text("simulator") + "' is not a simulator");
+    HomeScale scale;
+    scale.fewest_rooms = row.integer("fewest_rooms", 1);
+    scale.most_rooms = row.integer("most_rooms", std::max(1, scale.fewest_rooms));
+    scale.objects_a_room = row.number("objects_a_room", 0, kMostInARoom, false);
+    row.required("source");
+    if (simulator && !scales.emplace(*simulator, scale).second) row.fail("simulator", "stands twice");
+  }
+  for (const Simulator simulator : kSimulators)
+    if (!scales.contains(simulator))
+      errors.push_back({Error::Kind::Schema, std::string(where), {}, "no row for " + std::string(name_of(simulator))});
+  return scales;
+}
 
 Result<LayoutRecipe> read_recipe(const RecipeTexts& texts, const Knowledge& knowledge) {
   RecipeReader reader(knowledge);
@@ -172,7 +207,10 @@ Result<LayoutRecipe> load_recipe(const std::filesystem::path& folder, const Know
     household = std::make_shared<const Household>(std::move(*read));
   }
   auto recipe = read_recipe(texts, knowledge);
-  if (recipe) recipe->household = std::move(household);
+  if (!recipe) return recipe;
+  recipe->household = std::move(household);
+  const auto added = add_common(folder, knowledge.simulator(), *recipe);
+  if (!added) return added.error();
   return recipe;
 }
 

@@ -4,11 +4,13 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "akb/knowledge.h"
 #include "core/result.h"
 #include "grounding/household.h"
+#include "grounding/room_doors.h"
 
 namespace unietp {
 
@@ -36,14 +38,23 @@ struct ObjectRule {
   double mean = 0;
 };
 
+/// How large the homes of a simulator are, those of the benchmark on average and those for training evenly;
+/// data/layouts/home_scales.csv.
+struct HomeScale {
+  int fewest_rooms = 0, most_rooms = 0;
+  double objects_a_room = 0;  // furniture and small things together
+};
+
 /// What a home of one simulator's style is made of.
 struct LayoutRecipe {
   std::vector<RoomRule> rooms;
   std::vector<FurnitureRule> furniture;  // in the order in which a room is furnished; hosts before what needs them
   std::vector<ObjectRule> objects;
-  double movable_share = 0.4;                  // of a home's objects that are small things
-  double unseen_share = 0;                     // of small things that are of a category without a rule
-  double floor_share = 0;                      // of small things that lie on a floor
+  double movable_share = 0.4;  // of a home's objects that are small things
+  double unseen_share = 0;     // of small things that are of a category without a rule
+  double floor_share = 0;      // of small things that lie on a floor
+  RoomDoors doors;             // the same for all simulators
+  HomeScale scale;
   std::map<std::string, double> held;          // receptacle category → mean number of things on or in one
   std::shared_ptr<const Household> household;  // nullptr: things are placed as the knowledge base says, mostly default
 };
@@ -52,9 +63,14 @@ struct LayoutRecipe {
 struct RecipeTexts {
   std::string rooms, furniture, objects, receptacles;
 };
-/// Errors: Parse or Schema with file, line and column; the first.
+/// Without doors, scale and household. Errors: Parse or Schema with file, line and column; the first.
 Result<LayoutRecipe> read_recipe(const RecipeTexts& texts, const Knowledge& knowledge);
-/// With the household of the tables in `sense` beside the folder, unless one is given. Errors: Io too.
+/// Reads home_scales.csv (simulator,fewest_rooms,most_rooms,objects_a_room,source). Errors are appended: Parse, Schema;
+/// Schema for a simulator that stands twice or nowhere.
+std::map<Simulator, HomeScale> read_home_scales(std::string_view where, std::string_view text,
+                                                std::vector<Error>& errors);
+/// The recipe with doors and scale. With the household of the tables in `sense` beside the folder, unless one is given.
+/// Errors: Io too.
 Result<LayoutRecipe> load_recipe(const std::filesystem::path& folder, const Knowledge& knowledge,
                                  std::shared_ptr<const Household> household = nullptr);
 

@@ -1,11 +1,14 @@
 #include "grounding/room_doors.h"
 
 #include <algorithm>
-#include <array>
+#include <map>
 #include <numeric>
 #include <set>
 #include <string_view>
 #include <utility>
+
+#include "akb/row_reader.h"
+#include "akb/table_words.h"
 
 namespace unietp {
 namespace {
@@ -14,38 +17,18 @@ constexpr double kMoreOpenings = 0.3;  // chance of one that is not needed
 constexpr double kOfItsOwn = 0.5;      // chance that a second bathroom belongs to a bedroom
 constexpr int kBedroomsToABathroom = 3, kMostBathrooms = 3;
 
-using TypePair = std::pair<std::string_view, std::string_view>;
-
-/// Rooms that one walks through, by which pairs are joined first.
-constexpr std::array<TypePair, 4> kWalkedThrough{{{"corridor", "living_room"},
-                                                  {"living_room", "dining_room"},
-                                                  {"corridor", "dining_room"},
-                                                  {"living_room", "living_room"}}};
-/// A room at the end, and where its door leads; the first that there is.
-constexpr std::array<TypePair, 7> kAtTheEnd{{{"kitchen", "dining_room"},
-                                             {"kitchen", "living_room"},
-                                             {"bedroom", "corridor"},
-                                             {"bedroom", "living_room"},
-                                             {"office", "corridor"},
-                                             {"office", "living_room"},
-                                             {"office", "dining_room"}}};
-/// What may have one opening more.
-constexpr std::array<TypePair, 6> kMore{{{"kitchen", "dining_room"},
-                                         {"kitchen", "living_room"},
-                                         {"kitchen", "corridor"},
-                                         {"living_room", "dining_room"},
-                                         {"corridor", "dining_room"},
-                                         {"corridor", "living_room"}}};
+const std::vector<std::string> kColumns{"use", "room", "other", "source"};
+const std::vector<std::string> kUses{"walked_through", "at_the_end", "another"};
 
 class OpeningChoice {
  public:
-  OpeningChoice(const std::vector<std::string>& types, std::vector<SharedWall> walls, Rng& rng)
-      : types_(types), walls_(std::move(walls)), taken_(walls_.size(), false), rng_(rng) {}
+  OpeningChoice(const std::vector<std::string>& types, std::vector<SharedWall> walls, const RoomDoors& doors, Rng& rng)
+      : types_(types), doors_(doors), walls_(std::move(walls)), taken_(walls_.size(), false), rng_(rng) {}
 
   bool join_what_one_walks_through() {
     std::vector<std::size_t> group(types_.size());
     std::iota(group.begin(), group.end(), 0);
-    for (const TypePair& pair : kWalkedThrough) {
+    for (const auto& pair : doors_.walked_through) {
       for (std::size_t i = 0; i < walls_.size(); ++i) {
         const SharedWall& wall = walls_[i];
         if (!is(wall, pair) || group[wall.a] == group[wall.b]) continue;
@@ -55,19 +38,23 @@ class OpeningChoice {
     }
     std::set<std::size_t> groups;
     for (std::size_t room = 0; room < types_.size(); ++room) {
-      if (types_[room] == "corridor" || types_[room] == "living_room" || types_[room] == "dining_room")
-        groups.insert(group[room]);
+      const bool walked_through =
+          std::any_of(doors_.walked_through.begin(), doors_.walked_through.end(),
+                      [&](const auto& pair) { return pair.first == types_[room] || pair.second == types_[room]; });
+      if (walked_through) groups.insert(group[room]);
     }
     return groups.size() == 1;
   }
 
   bool add_rooms_at_the_end() {
     for (std::size_t room = 0; room < types_.size(); ++room) {
-      if (types_[room] != "kitchen" && types_[room] != "bedroom" && types_[room] != "office") continue;
-      const bool found = std::any_of(kAtTheEnd.begin(), kAtTheEnd.end(), [&](const TypePair& pair) {
-        return pair.first == types_[room] && take(room, pair.second);
-      });
-      if (!found) return false;
+      bool at_the_end = false, joined = false;
+      for (const auto& [type, other] : doors_.at_the_end) {
+        if (type != types_[room]) continue;
+        at_the_end = true;
+        joined = joined || take(room, other);
+      }
+      if (at_the_end && !joined) return false;
     }
     return true;
   }
@@ -86,8 +73,8 @@ class OpeningChoice {
 
   void add_more() {
     for (std::size_t i = 0; i < walls_.size(); ++i) {
-      const bool suits =
-          std::any_of(kMore.begin(), kMore.end(), [&](const TypePair& pair) { return is(walls_[i], pair); });
+      const bool suits = std::any_of(doors_.another.begin(), doors_.another.end(),
+                                     [&](const auto& pair) { return is(walls_[i], pair); });
       if (suits && !taken_[i] && rng_.chance(kMoreOpenings)) taken_[i] = true;
     }
   }
@@ -101,9 +88,9 @@ class OpeningChoice {
   }
 
  private:
-  bool is(const SharedWall& wall, const TypePair& pair) const {
-    const TypePair types{types_[wall.a], types_[wall.b]};
-    return types == pair || types == TypePair{pair.second, pair.first};
+  bool is(const SharedWall& wall, const std::pair<std::string, std::string>& pair) const {
+    const std::string &a = types_[wall.a], &b = types_[wall.b];
+    return (a == pair.first && b == pair.second) || (a == pair.second && b == pair.first);
   }
 
   /// An opening to a room of the type; false where no wall is shared with one.
@@ -134,6 +121,7 @@ class OpeningChoice {
   }
 
   const std::vector<std::string>& types_;
+  const RoomDoors& doors_;
   std::vector<SharedWall> walls_;
   std::vector<bool> taken_;
   std::set<std::size_t> with_bathroom_;
@@ -142,10 +130,27 @@ class OpeningChoice {
 
 }  // namespace
 
+RoomDoors read_room_doors(std::string_view where, std::string_view text, std::vector<Error>& errors) {
+  RoomDoors doors;
+  const std::map<std::string, RoomDoors::Pairs*> pairs{
+      {kUses[0], &doors.walked_through}, {kUses[1], &doors.at_the_end}, {kUses[2], &doors.another}};
+  RowReader row(std::string(where), text, kColumns, errors);
+  for (const CsvRow& cells : row.rows()) {
+    row.at(cells);
+    const std::string use = row.one_of("use", kUses, "use");
+    std::string room = row.one_of("room", room_types(), "room type");
+    std::string other = row.one_of("other", room_types(), "room type");
+    row.required("source");
+    if (row.sound()) pairs.at(use)->emplace_back(std::move(room), std::move(other));
+  }
+  return doors;
+}
+
 std::optional<std::vector<SharedWall>> choose_openings(const std::vector<std::string>& room_types,
-                                                       std::vector<SharedWall> walls, Rng& rng) {
+                                                       std::vector<SharedWall> walls, const RoomDoors& doors,
+                                                       Rng& rng) {
   rng.shuffle(walls);
-  OpeningChoice choice(room_types, std::move(walls), rng);
+  OpeningChoice choice(room_types, std::move(walls), doors, rng);
   if (!choice.join_what_one_walks_through() || !choice.add_rooms_at_the_end() || !choice.add_bathrooms())
     return std::nullopt;
   choice.add_more();

@@ -143,7 +143,7 @@ CompiledKnowledge compile_knowledge_into(const fs::path& folder, const DataFolde
 
 const NounTable& Backend::nouns_in(English english) const {
   if (english == English::Us) return nouns;
-  std::call_once(british->made, [&] { british->nouns.emplace(knowledge, English::Gb); });
+  std::call_once(british->made, [&] { british->nouns.emplace(knowledge, nouns.everyday(), English::Gb); });
   return *british->nouns;
 }
 
@@ -152,6 +152,7 @@ BackendsReading load_backends(const DataFolders& folders) {
   auto compiled = compiled_knowledge(folders);
   reading.errors = std::move(compiled.errors);
   reading.database = std::move(compiled.database);
+  const SharedValue<EverydayNames> everyday = read_everyday_names(folders.english(), reading.errors);
   const auto actions = folders.extended_library ? ActionProfile::Wide : ActionProfile::Unietp;
   for (const auto simulator : kSimulators) {
     auto profile = load_profile(folders.profiles(), simulator, actions);
@@ -162,7 +163,7 @@ BackendsReading load_backends(const DataFolders& folders) {
       reading.errors.push_back(knowledge.error());
       continue;
     }
-    NounTable nouns(*knowledge);
+    NounTable nouns(*knowledge, everyday);
     reading.backends.push_back({std::move(*knowledge), *profile, std::move(nouns), std::make_shared<BritishNouns>()});
   }
   reading.errors = with_advice(folders, std::move(reading.errors));

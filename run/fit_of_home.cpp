@@ -34,7 +34,7 @@ bool is_usual_room_of(const std::string& place, const std::string& room, const K
 std::string spoken_name(const std::string& category, const NounTable& nouns) {
   const auto* name = nouns.display(category);
   if (name == nullptr) return "";
-  const auto everyday = everyday_name(name->singular, English::Us);
+  const auto everyday = nouns.everyday()->of(name->singular, English::Us);
   return everyday.empty() ? name->singular : std::string(everyday);
 }
 

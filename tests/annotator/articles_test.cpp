@@ -8,6 +8,7 @@
 #include "scene/trace.h"
 #include "small_knowledge.h"
 #include "tests/support/committed_knowledge.h"
+#include "tests/support/committed_names.h"
 
 namespace unietp {
 namespace {
@@ -43,7 +44,7 @@ Scene home_of(const std::vector<Thing>& things, std::size_t bedrooms = 1) {
 }
 
 std::vector<std::string> texts_in(const Scene& home, const std::string& goal, const Knowledge& knowledge) {
-  const NounTable nouns(knowledge);
+  const NounTable nouns(knowledge, committed_names());
   WritingOptions options;
   options.home = &home;
   std::vector<std::string> texts;
@@ -59,7 +60,7 @@ std::vector<std::string> texts_in(const Scene& home, const std::string& goal, co
 
 std::vector<std::string> faults_in(const Scene& home, const char* text, const char* goal) {
   static const Knowledge knowledge = small_knowledge();
-  static const NounTable nouns(knowledge);
+  static const NounTable nouns(knowledge, committed_names());
   return check_instruction(text, asking(goal), knowledge, nouns, &home);
 }
 
@@ -148,7 +149,7 @@ TEST(Leaving, OneOfTwoLeavesTheOtherOne) {
 /// "Put some bread in the fridge. Leave the one on the table where it is."
 TEST(Leaving, IsOfOnesOnlyWhereTheyAreCounted) {
   const Knowledge knowledge = small_knowledge();
-  const NounTable nouns(knowledge);
+  const NounTable nouns(knowledge, committed_names());
   const auto texts = [&](const std::string& thing) {
     const auto asked = asking("(exists (?f - Fridge) (exists (?a - " + thing +
                                   ") (and (at-end (inside ?a ?f)) (always (forall (?d - (" + thing +
@@ -176,7 +177,7 @@ TEST(Both, IsOfTwo) {
 
 TEST(Pairs, AreCalledByTheirNameWhereThereIsOne) {
   const Knowledge& knowledge = committed_knowledge(Simulator::Virtualhome);
-  const NounTable nouns(knowledge);
+  const NounTable nouns(knowledge, committed_names());
   EXPECT_EQ(nouns.without_set("clothespants"), "pants");
   EXPECT_EQ(nouns.without_set("mug"), "");
   const char* goal = "(exists (?a - clothespants) (exists (?b - bed) (at-end (on ?a ?b))))";
@@ -187,28 +188,28 @@ TEST(Pairs, AreCalledByTheirNameWhereThereIsOne) {
 
 TEST(Sets, AreCalledByTheirThingsWhereThereIsOne) {
   const Knowledge& knowledge = committed_knowledge(Simulator::Ai2thor);
-  EXPECT_EQ(NounTable(knowledge).without_set("KeyChain"), "keys");
+  EXPECT_EQ(NounTable(knowledge, committed_names()).without_set("KeyChain"), "keys");
   const char* goal = "(exists (?a - KeyChain) (exists (?b - Desk) (at-end (on ?a ?b))))";
   EXPECT_THAT(texts_in(home_of({{"KeyChain"}, {"Desk"}}), goal, knowledge), Each(HasSubstr("the keys")));
   EXPECT_THAT(texts_in(home_of({{"KeyChain"}, {"KeyChain"}, {"Desk"}}), goal, knowledge),
               Each(HasSubstr("a set of keys")));
   const char* beside = "(exists (?d - (Drawer :where (exists (?a - KeyChain) (inside ?a ?d)))) (at-end (open ?d)))";
-  EXPECT_THAT(
-      check_instruction("Open the drawer where the keys are kept.", asking(beside), knowledge, NounTable(knowledge)),
-      IsEmpty());
+  EXPECT_THAT(check_instruction("Open the drawer where the keys are kept.", asking(beside), knowledge,
+                                NounTable(knowledge, committed_names())),
+              IsEmpty());
   // "Bananas" is a synonym, too, which does not make one of them.
   const char* all = "(at-end (exists (?t - diningtable) (forall (?a - bananas) (on ?a ?t))))";
   EXPECT_THAT(texts_in(home_of({{"bananas"}, {"diningtable"}}), all, committed_knowledge(Simulator::Virtualhome)),
               Each(Not(HasSubstr(": "))));
   // Where a single key is a thing of its own, "the keys" are several of those.
-  EXPECT_EQ(NounTable(committed_knowledge(Simulator::Behavior)).without_set("keys"), "");
+  EXPECT_EQ(NounTable(committed_knowledge(Simulator::Behavior), committed_names()).without_set("keys"), "");
 }
 
 TEST(Opened, FurnitureThatIsToStayOpenIsLeftOpen) {
   const char* goal = "(exists (?f - Fridge) (exists (?e - Egg) (at-end (and (open ?f) (inside ?e ?f)))))";
   const Scene home = home_of({{"Fridge", "closed"}, {"Egg"}});
   const Knowledge& knowledge = committed_knowledge(Simulator::Ai2thor);
-  const NounTable nouns(knowledge);
+  const NounTable nouns(knowledge, committed_names());
   const auto faults = [&](const char* text) { return check_instruction(text, asking(goal), knowledge, nouns, &home); };
   EXPECT_THAT(texts_in(home, goal, knowledge), Each(HasSubstr("leave it open.")));
   EXPECT_THAT(faults("Open the fridge and put the egg in it. Leave it open."), IsEmpty());
@@ -217,9 +218,10 @@ TEST(Opened, FurnitureThatIsToStayOpenIsLeftOpen) {
 }
 
 TEST(Halves, AndLeavesAreCountedAsPeopleDo) {
-  const NounTable foods(committed_knowledge(Simulator::Behavior));
+  const NounTable foods(committed_knowledge(Simulator::Behavior), committed_names());
   EXPECT_EQ(foods.display("half_crawfish")->plural, "crawfish halves");
-  EXPECT_EQ(NounTable(committed_knowledge(Simulator::Ai2thor)).display("LettuceSliced")->singular, "piece of lettuce");
+  EXPECT_EQ(NounTable(committed_knowledge(Simulator::Ai2thor), committed_names()).display("LettuceSliced")->singular,
+            "piece of lettuce");
 }
 
 }  // namespace

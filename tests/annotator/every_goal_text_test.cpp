@@ -8,6 +8,7 @@
 #include "annotator/equivalence.h"
 #include "annotator/meaning.h"
 #include "small_knowledge.h"
+#include "tests/support/committed_names.h"
 
 namespace unietp {
 namespace {

@@ -1,6 +1,7 @@
 // Things are called as people call them, not as a catalog lists them.
 #include "annotator/everyday_names.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -9,17 +10,23 @@
 
 #include "annotator/instruction.h"
 #include "annotator/noun_table.h"
-#include "annotator/rare_names.h"
 #include "annotator/words_for_writing.h"
+#include "core/files.h"
 #include "core/text.h"
 #include "tests/support/committed_knowledge.h"
+#include "tests/support/committed_names.h"
+#include "tests/support/scratch_folder.h"
 
 namespace unietp {
 namespace {
 
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
 TEST(EverydayNames, OfPackagesSayWhatIsInThem) {
   const Knowledge& knowledge = committed_knowledge(Simulator::Behavior);
-  const NounTable nouns(knowledge);
+  const NounTable nouns(knowledge, committed_names());
   int packages = 0;
   for (const Category& category : knowledge.categories()) {
     for (const std::string package : {"jar", "sack", "carton", "package"}) {
@@ -39,7 +46,7 @@ TEST(EverydayNames, AreThoseOfOneCategoryInBothEnglishes) {
   for (const Simulator simulator : kSimulators) {
     const Knowledge& knowledge = committed_knowledge(simulator);
     for (const English english : {English::Us, English::Gb}) {
-      const NounTable nouns(knowledge, english);
+      const NounTable nouns(knowledge, committed_names(), english);
       std::map<std::string, std::string> named;
       for (const Category& category : knowledge.categories()) {
         const auto [at, is_new] = named.emplace(nouns.display(category.name)->singular, category.name);
@@ -51,9 +58,38 @@ TEST(EverydayNames, AreThoseOfOneCategoryInBothEnglishes) {
 }
 
 TEST(EverydayNames, DifferBetweenTheTwoEnglishes) {
-  EXPECT_EQ(everyday_name("chickpea can", English::Us), "can of chickpeas");
-  EXPECT_EQ(everyday_name("chickpea can", English::Gb), "tin of chickpeas");
-  EXPECT_EQ(everyday_name("mug", English::Us), "");
+  EXPECT_EQ(committed_names()->of("chickpea can", English::Us), "can of chickpeas");
+  EXPECT_EQ(committed_names()->of("chickpea can", English::Gb), "tin of chickpeas");
+  EXPECT_EQ(committed_names()->of("mug", English::Us), "");
+}
+
+TEST(EverydayNames, WithoutTablesThingsAreCalledAsTheKnowledgeBaseCallsThem) {
+  const Knowledge& knowledge = committed_knowledge(Simulator::Ai2thor);
+  EXPECT_EQ(NounTable(knowledge, committed_names()).display("GarbageCan")->singular, "trash can");
+  EXPECT_EQ(NounTable(knowledge, {}).display("GarbageCan")->singular, knowledge.find("GarbageCan")->display);
+}
+
+/// The errors of two tables, without the folder.
+std::vector<std::string> errors_of(const std::string& names, const std::string& rare) {
+  const ScratchFolder folder;
+  EXPECT_TRUE(write_file(folder.at("everyday_names.csv"), names));
+  EXPECT_TRUE(write_file(folder.at("rare_names.csv"), rare));
+  std::vector<Error> errors;
+  (void)read_everyday_names(folder.path(), errors);
+  std::vector<std::string> texts;
+  for (const Error& error : errors) texts.push_back(replace_all(format(error), folder.path().string() + "/", ""));
+  return texts;
+}
+
+TEST(EverydayNames, ReportsBadRowsWithFileLineAndColumn) {
+  const std::string header = "name,us,gb,source\n";
+  EXPECT_THAT(errors_of(header + "oven stove,stove,cooker,curated\n", header + "bath,false,true,curated\n"), IsEmpty());
+  EXPECT_THAT(errors_of(header + "mug,cup,cup,curated\nmug,cup,cup,curated\nfork,,fork,curated\n",
+                        header + "bath,no,true,curated\n"),
+              ElementsAre(StartsWith("everyday_names.csv:3:1: schema error: 'mug' stands twice"),
+                          StartsWith("everyday_names.csv:4:6: "), StartsWith("rare_names.csv:2:6: ")));
+  EXPECT_THAT(errors_of(header + "mug,cup\n", ""),
+              ElementsAre(StartsWith("everyday_names.csv:2:"), StartsWith("rare_names.csv:")));
 }
 
 TEST(Substances, AreWrittenAsInEnglish) {
@@ -72,17 +108,17 @@ TEST(Substances, AreWrittenAsInEnglish) {
 }
 
 TEST(Tops, AreSaidOfCabinetsWithARoomToo) {
-  const NounTable nouns(committed_knowledge(Simulator::Ai2thor));
+  const NounTable nouns(committed_knowledge(Simulator::Ai2thor), committed_names());
   EXPECT_EQ(with_tops("Put the mug on a kitchen cabinet.", nouns), "Put the mug on top of a kitchen cabinet.");
   EXPECT_EQ(with_tops("Put the mug on the cabinet.", nouns), "Put the mug on top of the cabinet.");
   EXPECT_EQ(with_tops("Put the mug on a kitchen counter.", nouns), "Put the mug on a kitchen counter.");
 }
 
 TEST(RareNames, AreNotSaid) {
-  EXPECT_FALSE(is_said("multiport hub", English::Us));
-  EXPECT_FALSE(is_said("rucksack", English::Us));
-  EXPECT_TRUE(is_said("rucksack", English::Gb));
-  EXPECT_TRUE(is_said("coffee mug", English::Us));
+  EXPECT_FALSE(committed_names()->is_said("multiport hub", English::Us));
+  EXPECT_FALSE(committed_names()->is_said("rucksack", English::Us));
+  EXPECT_TRUE(committed_names()->is_said("rucksack", English::Gb));
+  EXPECT_TRUE(committed_names()->is_said("coffee mug", English::Us));
 }
 
 }  // namespace

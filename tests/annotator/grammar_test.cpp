@@ -7,6 +7,7 @@
 #include "annotator/plural.h"
 #include "annotator/style.h"
 #include "small_knowledge.h"
+#include "tests/support/committed_names.h"
 
 namespace unietp {
 namespace {
@@ -84,7 +85,7 @@ TEST(ReadInstruction, RefusesWhatHasTwoReadings) {
 
 std::set<std::string> texts_of(const std::string& goal, Phrasings phrasings) {
   static const Knowledge knowledge = small_knowledge();
-  static const NounTable nouns(knowledge);
+  static const NounTable nouns(knowledge, committed_names());
   std::set<std::string> texts;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     const auto written = write_instruction(asking(goal), knowledge, nouns, {phrasings, {}, nullptr}, Rng(seed));
@@ -192,7 +193,7 @@ TEST(WriteInstruction, KeepsThePromiseOfItsStyle) {
 
 TEST(WriteInstruction, TheHarderStylesAreHardInTheWayTheyClaim) {
   const Knowledge knowledge = small_knowledge();
-  const NounTable nouns(knowledge);
+  const NounTable nouns(knowledge, committed_names());
   const WritingOptions options{Phrasings::Everyday, {"Apple", "Bowl", "Mug", "Table"}, nullptr};
   const auto start = parse_formula("test", "(count >= 1 (?a - Lamp) (power_off ?a))", FormulaUse::State);
   ASSERT_TRUE(start);

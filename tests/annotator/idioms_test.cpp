@@ -11,6 +11,7 @@
 #include "core/text.h"
 #include "scene/trace.h"
 #include "small_knowledge.h"
+#include "tests/support/committed_names.h"
 
 namespace unietp {
 namespace {
@@ -165,7 +166,7 @@ TEST(Idioms, AreReadAsExactlyTheirGoals) {
 
 TEST(Idioms, AreWrittenForTheirGoals) {
   const Knowledge knowledge = small_knowledge();
-  const NounTable nouns(knowledge);
+  const NounTable nouns(knowledge, committed_names());
   for (const Said& said : kSaid) {
     if (said.words == nullptr) continue;  // needs a home with one fridge
     std::vector<std::string> texts;
@@ -180,7 +181,7 @@ TEST(Idioms, AreWrittenForTheirGoals) {
 
 TEST(Idioms, FurnitureIsCleanedAndDishesAreWashed) {
   const Knowledge knowledge = small_knowledge();
-  const NounTable nouns(knowledge);
+  const NounTable nouns(knowledge, committed_names());
   const auto texts = [&](const std::string& category) {
     std::vector<std::string> all;
     const auto asked = asking("(exists (?a - " + category + ") (at-end (clean ?a)))", "direct");
@@ -258,7 +259,7 @@ TEST(HomeCounts, MakeAllAndSomeOfOneThingTheSame) {
 
 TEST(HomeCounts, AreWhatATextSaysOfOneTwoAndMore) {
   const Knowledge knowledge = small_knowledge();
-  const NounTable nouns(knowledge);
+  const NounTable nouns(knowledge, committed_names());
   const Scene home = home_of({{"Table", ""},
                               {"Mug", "dirty"},
                               {"Bowl", "clean"},
@@ -298,7 +299,7 @@ TEST(EverydayNames, AreThoseOfOneEnglishAndBothAreRead) {
   stove.display = "oven stove";
   stove.plural = "oven stoves";
   const Knowledge knowledge(Simulator::Ai2thor, {stove}, {}, {}, {}, {});
-  const NounTable us(knowledge), gb(knowledge, English::Gb);
+  const NounTable us(knowledge, committed_names()), gb(knowledge, committed_names(), English::Gb);
   EXPECT_EQ(us.display("Stove")->singular, "stove");
   EXPECT_EQ(gb.display("Stove")->singular, "cooker");
   for (const NounTable* nouns : {&us, &gb})

@@ -8,6 +8,7 @@
 #include "annotator/meaning.h"
 #include "templates/template.h"
 #include "tests/support/committed_knowledge.h"
+#include "tests/support/committed_names.h"
 
 namespace unietp {
 namespace {
@@ -46,7 +47,7 @@ TEST(WriteInstruction, EveryTemplateOfTheLibraryReadsBackAndItsNeighboursDoNot) 
   std::set<std::string> templates_written;
   for (const Simulator simulator : kSimulators) {
     const Knowledge* knowledge = &committed_knowledge(simulator);
-    const NounTable nouns(*knowledge);
+    const NounTable nouns(*knowledge, committed_names());
     for (const Template& source : library.templates) {
       SCOPED_TRACE(source.name);
       for (std::uint64_t seed = 1; seed < 4; ++seed) {

@@ -13,6 +13,7 @@
 #include "../llm/wording_model.h"
 #include "core/text.h"
 #include "small_knowledge.h"
+#include "tests/support/committed_names.h"
 
 namespace unietp {
 namespace {

@@ -7,6 +7,7 @@
 #include "core/text.h"
 #include "small_knowledge.h"
 #include "tests/support/committed_knowledge.h"
+#include "tests/support/committed_names.h"
 
 namespace unietp {
 namespace {
@@ -26,7 +27,7 @@ Scene kitchen_with(std::initializer_list<const char*> kinds) {
 
 TEST(MinimalPair, DiffersInOneWordAndEachTextMeansItsGoalAlone) {
   const Knowledge& knowledge = committed_knowledge(Simulator::Ai2thor);
-  const NounTable nouns(knowledge);
+  const NounTable nouns(knowledge, committed_names());
   const Scene home = kitchen_with({"Mug", "Bowl", "Plate", "DiningTable"});
   const auto task = asking("(exists (?m - Mug) (exists (?t - DiningTable) (at-end (on ?m ?t))))");
   const std::string text = "Put the mug on the dining table.";
@@ -52,7 +53,7 @@ TEST(MinimalPair, DiffersInOneWordAndEachTextMeansItsGoalAlone) {
 
 TEST(MinimalPair, IsNoneWhereNoOtherWordSaysAnything) {
   const Knowledge& knowledge = committed_knowledge(Simulator::Ai2thor);
-  const NounTable nouns(knowledge);
+  const NounTable nouns(knowledge, committed_names());
   const Scene home = kitchen_with({"Mug"});
   const auto task = asking("(exists (?m - Mug) (at-end (held ?m)))");
   EXPECT_FALSE(minimal_pair("Pick up the mug.", task, knowledge, nouns, home, Rng(1)));

@@ -6,6 +6,7 @@
 #include "annotator/noun_table.h"
 #include "small_knowledge.h"
 #include "tests/support/committed_knowledge.h"
+#include "tests/support/committed_names.h"
 
 namespace unietp {
 namespace {
@@ -22,7 +23,7 @@ using testing_support::small_knowledge;
 std::vector<std::string> texts_of(const std::string& goal, const std::string& style = "direct",
                                   const std::string& start = "") {
   static const Knowledge knowledge = small_knowledge();
-  static const NounTable nouns(knowledge);
+  static const NounTable nouns(knowledge, committed_names());
   auto specification = asking(goal, style);
   if (!start.empty()) specification.init = {*parse_formula("test", start, FormulaUse::State)};
   std::vector<std::string> texts;
@@ -131,7 +132,7 @@ TEST(FunctionStyle, IsNotClaimedForAPhraseThatFitsAnotherThing) {
   // Mugs are something to drink from, too: of cups alone it would ask for less than the goal.
   const std::string phrase = "something to drink from";
   const auto& tables = committed_knowledge(Simulator::Behavior);
-  const NounTable nouns(tables);
+  const NounTable nouns(tables, committed_names());
   const auto said = [&](const std::string& things) {
     const auto task = asking("(exists (?a - " + things + ") (at-end (held ?a)))", "function");
     std::string texts;

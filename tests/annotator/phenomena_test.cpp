@@ -8,6 +8,7 @@
 #include "annotator/parse.h"
 #include "core/text.h"
 #include "small_knowledge.h"
+#include "tests/support/committed_names.h"
 
 namespace unietp {
 namespace {
@@ -52,7 +53,7 @@ Trace home() {
 
 std::vector<Reading> read(const std::string& text) {
   const auto knowledge = knowledge_of_mugs();
-  auto readings = readings_of(text, NounTable(knowledge));
+  auto readings = readings_of(text, NounTable(knowledge, committed_names()));
   EXPECT_TRUE(readings) << format(readings.error());
   if (!readings) return {};
   const Trace start = home();
@@ -101,7 +102,7 @@ TEST(Phenomena, OfAnAlternativeOnePartIsThere) {
 TEST(Phenomena, EllipsisTakesTheNounOfWhatWasNamed) {
   expect_goal("There is more than one mug here. Wash the dirty one.",
               "(exists (?a - (Mug :where (dirty ?a))) (at-end (clean ?a)))");
-  EXPECT_FALSE(readings_of("Wash the dirty one.", NounTable(small_knowledge())));
+  EXPECT_FALSE(readings_of("Wash the dirty one.", NounTable(small_knowledge(), committed_names())));
 }
 
 TEST(Phenomena, AContrastTellsWhichOneIsMeant) {
@@ -111,7 +112,8 @@ TEST(Phenomena, AContrastTellsWhichOneIsMeant) {
 }
 
 TEST(Phenomena, ASubordinateClauseSaysWhatComesFirst) {
-  const auto read = parse_with("Once you've put a mug on a table, switch a lamp on.", NounTable(small_knowledge()));
+  const auto read = parse_with("Once you've put a mug on a table, switch a lamp on.",
+                               NounTable(small_knowledge(), committed_names()));
   ASSERT_TRUE(read) << format(read.error());
   const auto wanted = parse_formula(
       "test",
@@ -134,7 +136,7 @@ TEST(Phenomena, AnExceptionIsNeverSo) {
 }
 
 TEST(Phenomena, ACompoundNamesTheRoomOfAThing) {
-  const auto readings = readings_of("Open the kitchen fridge.", NounTable(small_knowledge()));
+  const auto readings = readings_of("Open the kitchen fridge.", NounTable(small_knowledge(), committed_names()));
   ASSERT_TRUE(readings) << format(readings.error());
   ASSERT_THAT(*readings, SizeIs(1));
   EXPECT_EQ(to_text((*readings)[0].goal),
@@ -142,7 +144,7 @@ TEST(Phenomena, ACompoundNamesTheRoomOfAThing) {
 }
 
 TEST(Phenomena, SentencesAndPhrasesStandForThings) {
-  const NounTable nouns(small_knowledge());
+  const NounTable nouns(small_knowledge(), committed_names());
   const auto goal = [&](const char* text) {
     const auto read = parse_with(text, nouns);
     return read ? to_text(normal_form(*read)) : format(read.error());
@@ -176,7 +178,8 @@ TEST(Phenomena, TheWriterSaysOnlyWhatIsReadBack) {
 TEST(HomeSentences, AreTrueAndOfOtherThingsWhereTheGoalPutsSomething) {
   const auto knowledge = small_knowledge();
   const Formula goal = asking("(exists (?m - Mug) (exists (?t - Table) (at-end (on ?m ?t))))").goal;
-  const auto told = home_sentences(home(), goal, {"Mug", "Table"}, knowledge, NounTable(knowledge), Rng(1));
+  const auto told =
+      home_sentences(home(), goal, {"Mug", "Table"}, knowledge, NounTable(knowledge, committed_names()), Rng(1));
   for (const auto& sentence : told) {
     EXPECT_THAT(sentence, Not(::testing::HasSubstr("mug")));
     EXPECT_THAT(sentence, ::testing::HasSubstr("where it is"));
@@ -185,7 +188,7 @@ TEST(HomeSentences, AreTrueAndOfOtherThingsWhereTheGoalPutsSomething) {
 }
 
 TEST(CanBeSaid, OnlyWhatTheHomeHas) {
-  const NounTable nouns(small_knowledge());
+  const NounTable nouns(small_knowledge(), committed_names());
   EXPECT_TRUE(can_be_said("I'm going to wash the mug.", home(), nouns));
   EXPECT_FALSE(can_be_said("I'm going to slice the apple.", home(), nouns));
   EXPECT_FALSE(can_be_said("I'm about to have some bread.", home(), nouns));
@@ -216,7 +219,8 @@ TEST(CanBeSaid, DecidesWhichOccasionIsDrawn) {
   options.home = &here;
   const auto asked = asking("(exists (?m - Mug) (exists (?t - Table) (at-end (on ?m ?t))))", "context");
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
-    const auto written = write_instruction(asked, knowledge, NounTable(knowledge), options, Rng(seed));
+    const auto written =
+        write_instruction(asked, knowledge, NounTable(knowledge, committed_names()), options, Rng(seed));
     ASSERT_TRUE(written) << format(written.error());
     EXPECT_EQ(written->style, Style::Context) << written->text;
     EXPECT_THAT(written->text, ::testing::StartsWith("I want the mug."));

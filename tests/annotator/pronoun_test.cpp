@@ -6,6 +6,7 @@
 #include "core/text.h"
 #include "small_knowledge.h"
 #include "tests/support/committed_knowledge.h"
+#include "tests/support/committed_names.h"
 
 namespace unietp {
 namespace {
@@ -56,7 +57,7 @@ TEST(Pronouns, MeanWhatASentenceOfTheHomeIsAbout) {
 /// Of a goal about a mug that goes on a table, each "it" comes where the mug was named last.
 TEST(Pronouns, AreWrittenOnlyForWhatWasNamedLast) {
   const Knowledge knowledge = small_knowledge();
-  const NounTable nouns(knowledge);
+  const NounTable nouns(knowledge, committed_names());
   int pronouns = 0;
   for (const Phrasings phrasings : {Phrasings::Everyday, Phrasings::All}) {
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
@@ -101,7 +102,7 @@ TEST(Results, OfWhatIsPutSomewhereAreReadInItsName) {
 /// A stranger takes "a washed mug" for one that is clean already.
 TEST(Results, AreWrittenAsCommandsOfTheirOwn) {
   const Knowledge knowledge = small_knowledge();
-  const NounTable nouns(knowledge);
+  const NounTable nouns(knowledge, committed_names());
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     const auto written = write_instruction(asking(kWashAndPut), knowledge, nouns, {}, Rng(seed));
     ASSERT_TRUE(written) << format(written.error());

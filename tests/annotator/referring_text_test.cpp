@@ -4,6 +4,7 @@
 
 #include "annotator/meaning.h"
 #include "small_knowledge.h"
+#include "tests/support/committed_names.h"
 
 namespace unietp {
 namespace {
@@ -28,7 +29,7 @@ void expect_says(const Saying& saying) {
     specification.init.push_back(*formula);
   }
   const Knowledge knowledge = small_knowledge();
-  const NounTable nouns(knowledge);
+  const NounTable nouns(knowledge, committed_names());
   std::string texts;
   for (std::uint64_t seed = 0; seed < 80; ++seed) {
     const auto written = write_instruction(specification, knowledge, nouns, {Phrasings::All, {}, nullptr}, Rng(seed));

@@ -6,6 +6,7 @@
 #include "annotator/instruction.h"
 #include "templates/template.h"
 #include "tests/support/committed_knowledge.h"
+#include "tests/support/committed_names.h"
 
 namespace unietp {
 namespace {
@@ -16,7 +17,7 @@ using ::testing::IsEmpty;
 TEST(Spelling, FindsSlipsAndNotTheNamesOfThings) {
   const auto spelling = Spelling::open();
   ASSERT_TRUE(spelling) << format(spelling.error());
-  const NounTable nouns(committed_knowledge(Simulator::Ai2thor));
+  const NounTable nouns(committed_knowledge(Simulator::Ai2thor), committed_names());
   EXPECT_THAT(spelling->faults("Plaese put the mug in the micorwave, and keep the mug there.", nouns),
               ElementsAre("the word 'plaese' is in no dictionary (please?)",
                           "the word 'micorwave' is in no dictionary (microwave?)"));
@@ -33,7 +34,7 @@ TEST(Spelling, KnowsEveryWordThatTheGrammarWrites) {
   std::size_t texts = 0;
   for (const auto simulator : kSimulators) {
     const auto& knowledge = committed_knowledge(simulator);
-    const NounTable nouns(knowledge);
+    const NounTable nouns(knowledge, committed_names());
     for (std::size_t i = 0; i < library.templates.size(); ++i) {
       const auto& source = library.templates[i];
       const auto binding = sample_binding(source, knowledge, {}, Rng(3).fork(source.name, i));

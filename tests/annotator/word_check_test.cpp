@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "small_knowledge.h"
+#include "tests/support/committed_names.h"
 
 namespace unietp {
 namespace {
@@ -22,7 +23,7 @@ constexpr const char* kOrder =
     "(exists (?a - Mug) (exists (?b - Fridge) (and (before (clean ?a) (inside ?a ?b)) (at-end (inside ?a ?b)))))";
 
 std::vector<std::string> said(const char* goal, const char* text) {
-  static const NounTable nouns(small_knowledge());
+  static const NounTable nouns(small_knowledge(), committed_names());
   return saying_faults(text, asking(goal), nouns);
 }
 
@@ -107,7 +108,7 @@ TEST(SayingFaults, AreNotInAVerbThatIsAlsoAName) {
   auto tables = small_knowledge().categories();
   tables.push_back(tables.front());
   tables.back().name = "Switch", tables.back().display = "switch", tables.back().plural = "switches";
-  const NounTable nouns(Knowledge(Simulator::Ai2thor, tables, {}, {}, {}, {}));
+  const NounTable nouns(Knowledge(Simulator::Ai2thor, tables, {}, {}, {}, {}), committed_names());
   EXPECT_TRUE(saying_faults("Switch a lamp on.", asking("(exists (?a - Lamp) (at-end (power_on ?a)))"), nouns).empty());
   EXPECT_FALSE(
       saying_faults("Wash a mug and a switch.", asking("(exists (?a - Mug) (at-end (clean ?a)))"), nouns).empty());
@@ -115,7 +116,7 @@ TEST(SayingFaults, AreNotInAVerbThatIsAlsoAName) {
 
 TEST(SayingFaults, AreNotInWhatIsAskedForNothing) {
   constexpr const char* kFridge = "(exists (?b - Fridge) (at-end (open ?b)))";
-  static const NounTable nouns(small_knowledge());
+  static const NounTable nouns(small_knowledge(), committed_names());
   EXPECT_TRUE(saying_faults("There is a mug on the table. Open a fridge.", asking(kFridge, "aside"), nouns).empty());
   EXPECT_FALSE(saying_faults("There is a mug on the table. Open a fridge.", asking(kFridge), nouns).empty());
 }

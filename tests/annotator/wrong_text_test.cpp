@@ -12,6 +12,7 @@
 #include "goal_mutations.h"
 #include "templates/template.h"
 #include "tests/support/committed_knowledge.h"
+#include "tests/support/committed_names.h"
 #include "tests/support/thorough.h"
 
 namespace unietp {

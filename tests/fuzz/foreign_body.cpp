@@ -19,7 +19,7 @@ std::vector<Backend> small_backends() {
     mug.size = {0.1, 0.1, 0.1};
     mug.mass = 0.3;
     Knowledge knowledge(simulator, {mug}, {}, {}, {}, {});
-    NounTable nouns(knowledge);
+    NounTable nouns(knowledge, {});
     backends.push_back({std::move(knowledge), Profile{}, std::move(nouns)});
   }
   return backends;

@@ -43,11 +43,18 @@ Knowledge knowledge_of_homes() {
 bool recipe_body(std::string_view text) {
   static const Knowledge knowledge = knowledge_of_homes();
   RecipeTexts texts;
-  for (std::string* table : {&texts.rooms, &texts.furniture, &texts.objects, &texts.receptacles}) {
+  std::string doors, scales;
+  for (std::string* table : {&texts.rooms, &texts.furniture, &texts.objects, &texts.receptacles, &doors, &scales}) {
     const std::size_t end = text.find("====\n");
     *table = text.substr(0, end);
     text = end == std::string_view::npos ? std::string_view() : text.substr(end + 5);
   }
+  std::vector<Error> errors;
+  for (const auto& [simulator, scale] : read_home_scales("home_scales.csv", scales, errors))
+    require(!errors.empty() || (scale.fewest_rooms > 0 && scale.most_rooms >= scale.fewest_rooms));
+  const RoomDoors read = read_room_doors("room_doors.csv", doors, errors);
+  for (const auto& [room, other] : read.at_the_end) require(!room.empty() && !other.empty());
+  for (const Error& error : errors) check_error(error);
   const auto recipe = read_recipe(texts, knowledge);
   if (!recipe) {
     check_error(recipe.error());

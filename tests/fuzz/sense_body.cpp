@@ -1,4 +1,5 @@
 #include "../annotator/small_knowledge.h"
+#include "annotator/everyday_names.h"
 #include "bodies.h"
 #include "fuzz_bodies.h"
 #include "grounding/household.h"
@@ -31,9 +32,10 @@ void check_household(const std::filesystem::path& folder, bool sound) {
 bool sense_body(std::string_view text) {
   static const Folder folder("sense");
   constexpr std::string_view kBetween = "====\n";
-  for (const char* file : {"kinds.csv", "categories.csv", "judged.csv", "counts.csv", "rules.csv", "words.csv",
-                           "hypernyms.csv", "start_states.csv", "special_places.csv", "companions.csv",
-                           "place_uses.csv", "use_states.csv", "generic_words.csv"}) {
+  for (const char* file :
+       {"kinds.csv", "categories.csv", "judged.csv", "counts.csv", "rules.csv", "words.csv", "hypernyms.csv",
+        "start_states.csv", "special_places.csv", "companions.csv", "place_uses.csv", "use_states.csv",
+        "generic_words.csv", "everyday_names.csv", "rare_names.csv"}) {
     const std::size_t end = text.find(kBetween);
     folder.write(file, text.substr(0, end));
     text = end == std::string_view::npos ? "" : text.substr(end + kBetween.size());
@@ -46,6 +48,10 @@ bool sense_body(std::string_view text) {
   (void)read_generic_words(folder.path() / "generic_words.csv", sense.kinds(), errors);
   (void)read_place_uses(folder.path() / "place_uses.csv", sense.kinds(), errors);
   for (const Error& error : errors) check_error(error);
+  std::vector<Error> of_names;
+  const EverydayNames names = read_everyday_names(folder.path(), of_names);
+  for (const Error& error : of_names) check_error(error);
+  (void)names.is_said(names.of("oven stove", English::Gb), English::Us);
   for (const Kind& kind : sense.kinds().all()) {
     const auto lineage = sense.kinds().lineage(kind.name);
     require(!lineage.empty() && lineage.size() <= sense.kinds().all().size());

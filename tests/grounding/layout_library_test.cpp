@@ -89,7 +89,7 @@ TEST_P(EveryLibrary, GeneratesEveryBenchmarkLayoutAsItsRowSaysAndTrainingLayouts
     EXPECT_TRUE(digests.insert(digest_of(home)).second) << layout.id;
   }
   const auto count = static_cast<double>(digests.size());
-  const HomeScale scale = home_scale(GetParam());
+  const HomeScale scale = style().recipe.scale;
   const double mean_rooms = (scale.fewest_rooms + scale.most_rooms) / 2.0;
   EXPECT_NEAR(rooms / count, mean_rooms, 0.01);
   EXPECT_NEAR(objects / count, mean_rooms * scale.objects_a_room, 5);

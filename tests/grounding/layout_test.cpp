@@ -363,7 +363,8 @@ class EveryPlan : public ::testing::Test {
   /// Plans of a usual home over many seeds; those draws that failed are left out.
   static std::vector<FloorPlan> plans() {
     std::vector<FloorPlan> drawn;
-    for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+    const auto style = style_of(Simulator::Ai2thor);
+    for (std::uint64_t seed = 0; style && seed < 1000; ++seed) {
       auto plan = draw_floor_plan({{"corridor", 12},
                                    {"kitchen", 18},
                                    {"living_room", 26},
@@ -371,7 +372,7 @@ class EveryPlan : public ::testing::Test {
                                    {"bathroom", 11},
                                    {"dining_room", 16},
                                    {"bedroom", 17}},
-                                  Rng(seed));
+                                  style->recipe.doors, Rng(seed));
       if (plan) drawn.push_back(std::move(*plan));
     }
     return drawn;

@@ -1,5 +1,9 @@
 #include "grounding/recipe.h"
 
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/files.h"
@@ -8,6 +12,10 @@
 
 namespace unietp {
 namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
 
 TEST(LoadRecipe, ReadsTheCommittedRecipesOfAllSimulators) {
   for (const Simulator simulator : kSimulators) {
@@ -85,6 +93,42 @@ TEST_F(BadRecipe, IsReportedWithLineColumnAndWhatIsAccepted) {
   RecipeTexts no_rooms = sound();
   no_rooms.rooms = "room,weight,at_least,at_most,area_low,area_high,source\nkitchen,1,1,1,10,20,curated\n";
   EXPECT_EQ(first_error(no_rooms), "ai2thor_rooms.csv:1:1: schema error: a home needs at least 4 room types");
+}
+
+/// The errors that reading a table gives.
+template <class Read>
+std::vector<std::string> errors_of(const Read& read, const std::string& text) {
+  std::vector<Error> errors;
+  (void)read("table.csv", text, errors);
+  std::vector<std::string> texts;
+  for (const Error& error : errors) texts.push_back(format(error));
+  return texts;
+}
+
+TEST(ReadRoomDoors, ReportsUnknownUsesAndRooms) {
+  const std::string header = "use,room,other,source\n";
+  std::vector<Error> errors;
+  const RoomDoors doors = read_room_doors("table.csv",
+                                          header +
+                                              "at_the_end,kitchen,living_room,curated\n"
+                                              "at_the_end,office,corridor,curated\n",
+                                          errors);
+  EXPECT_TRUE(errors.empty());
+  EXPECT_EQ(doors.at_the_end, (RoomDoors::Pairs{{"kitchen", "living_room"}, {"office", "corridor"}}));
+  EXPECT_TRUE(doors.walked_through.empty());
+  EXPECT_THAT(errors_of(read_room_doors, header + "inside,kitchen,attic,curated\n"),
+              ElementsAre(StartsWith("table.csv:2:1: schema error: unknown use 'inside'"),
+                          StartsWith("table.csv:2:16: schema error: unknown room type 'attic'")));
+}
+
+TEST(ReadHomeScales, ReportsUnknownMissingAndRepeatedSimulators) {
+  const std::string header = "simulator,fewest_rooms,most_rooms,objects_a_room,source\n";
+  const std::string three = "ai2thor,5,8,30,curated\nvirtualhome,4,6,28,curated\nhabitat,8,11,29.5,curated\n";
+  EXPECT_THAT(errors_of(read_home_scales, header + three + "behavior,7,10,31.4,curated\n"), IsEmpty());
+  EXPECT_THAT(errors_of(read_home_scales, header + three + "ai2thor,5,8,30,curated\nmars,5,4,0,curated\n"),
+              ElementsAre("table.csv:5:1: schema error: stands twice",
+                          "table.csv:6:1: schema error: 'mars' is not a simulator", StartsWith("table.csv:6:8: "),
+                          StartsWith("table.csv:6:10: "), "table.csv: schema error: no row for behavior"));
 }
 
 TEST(ParseWhere, ReadsHostsAndHeights) {

@@ -21,7 +21,7 @@ std::vector<Backend> backends_without_things() {
   std::vector<Backend> backends;
   for (const auto simulator : kSimulators) {
     Knowledge knowledge(simulator, {}, {}, {}, {}, {});
-    NounTable nouns(knowledge);
+    NounTable nouns(knowledge, {});
     backends.push_back({std::move(knowledge), Profile{}, std::move(nouns)});
   }
   return backends;

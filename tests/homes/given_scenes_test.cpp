@@ -29,7 +29,7 @@ class GivenScenesTest : public ::testing::Test {
     mug.movable = true;
     for (const auto simulator : kSimulators) {
       Knowledge knowledge(simulator, {mug}, {}, {}, {}, {});
-      NounTable nouns(knowledge);
+      NounTable nouns(knowledge, {});
       backends_.push_back({std::move(knowledge), Profile{}, std::move(nouns)});
     }
   }

@@ -1,4 +1,5 @@
 #include "rewording/check_text.h"
+#include "tests/support/committed_names.h"
 
 #include <algorithm>
 
@@ -21,7 +22,7 @@ class CheckText : public ::testing::Test {
     fridge.archetype = Archetype::Cabinet;
     fridge.size = {0.7, 0.65, 1.7};
     Knowledge knowledge(Simulator::Ai2thor, {fridge}, {{"Fridge", "openable", {"curated", 1}}}, {}, {}, {});
-    NounTable nouns(knowledge);
+    NounTable nouns(knowledge, committed_names());
     return {std::move(knowledge), Profile{}, std::move(nouns)};
   }
   std::vector<ProblemKind> problems(const std::string& text, const std::string& writer,

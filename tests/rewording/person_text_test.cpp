@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/committed_knowledge.h"
+#include "tests/support/committed_names.h"
 
 namespace unietp {
 namespace {
@@ -27,7 +28,7 @@ std::vector<std::string> faults(const std::string& text, const std::string& cate
   // Where "a slice of bread" is one that is there or one that is to be cut.
   static const Backend backend = [] {
     const Knowledge& knowledge = committed_knowledge(Simulator::Ai2thor);
-    return Backend{knowledge, Profile{}, NounTable(knowledge)};
+    return Backend{knowledge, Profile{}, NounTable(knowledge, committed_names())};
   }();
   WordedTask task;
   task.specification.simulator = Simulator::Ai2thor;
