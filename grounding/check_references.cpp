@@ -29,6 +29,11 @@ std::optional<ByOther> by_other(const Formula& test, const std::string& variable
   return ByOther{fact.predicate, &said.domain, &said.variable, denied};
 }
 
+bool is_place_of_a_thing(Predicate relation) {
+  using enum Predicate;
+  return relation == On || relation == Inside || relation == Under || relation == NextTo;
+}
+
 class FactsOfRooms {
  public:
   explicit FactsOfRooms(const Facts& facts) : facts_(facts) {}
@@ -56,6 +61,12 @@ class FactsOfRooms {
   }
   bool on_or_in(EntityIndex one, EntityIndex other) const {
     return facts_.holds(Predicate::On, one, other) || facts_.holds(Predicate::Inside, one, other);
+  }
+  /// Whether it is on, in or under something; of `next_to`, beside something.
+  bool has_such_a_place(EntityIndex one, Predicate relation) const {
+    using enum Predicate;
+    const auto has = [&](Predicate kind) { return facts_.any_related(kind, one, [](EntityIndex) { return true; }); };
+    return relation == NextTo ? has(NextTo) : has(On) || has(Inside) || has(Under);
   }
 
  private:
@@ -99,6 +110,10 @@ std::optional<std::string> odd_test(const Formula& test, const std::string& vari
     return "what is covered with something looks dirty, too";
   const auto related = by_other(test, variable);
   if (!related) return std::nullopt;
+  const auto has_such_a_place = [&](EntityIndex one) { return home.has_such_a_place(one, related->relation); };
+  if (!related->denied && is_place_of_a_thing(related->relation) &&
+      std::none_of(others.begin(), others.end(), has_such_a_place))
+    return "none of the others is at such a place of another thing";
   const bool near = related->relation == Predicate::NextTo || related->relation == Predicate::Nearest;
   if (!single && near) return "several things are told apart by what stands near them";
   const Entities landmarks = members_of(*related->other, *related->variable, trace);

@@ -17,10 +17,10 @@
 namespace unietp {
 namespace {
 
-constexpr int kTriesPerDecoy = 4, kTriesPerRestated = 6;
+constexpr int kTriesPerDecoy = 4, kTriesPerMoved = 3, kTriesPerRestated = 6;
 constexpr std::size_t kMostAdded = 20;  // to one start
-constexpr std::size_t kMostMoved = 12;
-constexpr std::size_t kMostRestated = 9;
+constexpr std::size_t kMostMoved = 24;
+constexpr std::size_t kMostRestated = 15;
 
 /// All that a category is called or stands for in texts.
 std::vector<std::string_view> names_of(const Category& category, const Knowledge& knowledge) {
@@ -44,6 +44,13 @@ bool may_be_common(const State& state) {
   return std::find(kNever.begin(), kNever.end(), state.predicate) == kNever.end();
 }
 
+/// A thing that a start added: its room, nullptr for any, the category of what it is on or in, and its states.
+struct Added {
+  const Room* room = nullptr;
+  std::string below = {};
+  StateSet states = {};
+};
+
 class Decoys {
  public:
   Decoys(SceneEditor& editor, const Specification& specification, const Home& home, Rng rng)
@@ -64,14 +71,14 @@ class Decoys {
     std::sort(asked.begin(), asked.end());
     asked.erase(std::unique(asked.begin(), asked.end()), asked.end());
     for (const std::string& category : asked) {
-      const auto rooms = rooms_of_added(category);
+      const auto added = added_of(category);
       const auto number = static_cast<int>(number_in_home(category));
-      if (!rooms.empty()) {
-        add_for(*knowledge().find(category), number, rooms);
+      if (!added.empty()) {
+        add_for(*knowledge().find(category), number, added);
       } else if (number > 1 && is_movable(category)) {  // others come to be as many
-        add_for(*knowledge().find(category), number - 1, {nullptr});
+        add_for(*knowledge().find(category), number - 1, {Added{}});
       }
-      for (const Room* room : rooms_of_moved(category)) move_into(room);
+      for (const Room* room : rooms_of_moved(category)) move_into(room, category);
       for (const State& state : states_given(category)) give_to_others(state);
     }
     return static_cast<int>(added_ + moved_ + restated_);
@@ -88,14 +95,29 @@ class Decoys {
     names_.insert(names.begin(), names.end());
   }
 
-  /// Of the movable things of a category that the home lacks: the room of each.
-  std::vector<const Room*> rooms_of_added(const std::string& category) {
-    std::vector<const Room*> rooms;
+  /// The movable things of a category that the home lacks.
+  std::vector<Added> added_of(const std::string& category) {
+    editor_.refresh();
+    std::vector<Added> added;
     for (const std::size_t place : workspace().places().of(category)) {
       const Node& node = workspace().scene().nodes[place];
-      if (node.movable && !home_.places.find(node.id)) rooms.push_back(workspace().room_of(place));
+      if (node.movable && !home_.places.find(node.id))
+        added.push_back({workspace().room_of(place), category_below(node), node.states});
     }
-    return rooms;
+    return added;
+  }
+
+  /// Of what a thing is on or in, as last read; "" for nothing.
+  std::string category_below(const Node& node) {
+    const auto& trace = workspace().current_state().now();
+    const auto entity = workspace().current_state().reader().find(node.id);
+    if (!entity) return {};
+    for (const auto& [relation, other] : trace.states.front().relations(*entity)) {
+      if (relation != Predicate::On && relation != Predicate::Inside) continue;
+      if (const auto host = workspace().places().find(trace.entities[other].id))
+        return workspace().scene().nodes[*host].category;
+    }
+    return {};
   }
 
   /// Of the movable things of a category that are elsewhere in the home: the room of each.
@@ -151,49 +173,67 @@ class Decoys {
     return category != nullptr && category->movable;
   }
 
-  /// Those of which the home has that number come first, in a random order.
-  std::vector<const Category*> like(const Category& asked, int number) {
+  /// How many states of a thing the others of a category can never be in.
+  std::ptrdiff_t missing_states(const Category& category, const Added& model) {
+    const auto& states = model.states.all();
+    return std::count_if(states.begin(), states.end(), [&](const State& state) {
+      const auto group = info(state.predicate == Predicate::Filled ? Predicate::Empty : state.predicate).group;
+      return may_be_common(state) && !group.empty() && !knowledge().has(category.name, group);
+    });
+  }
+
+  /// Those of which the home has that number come first, of these such as can be in the states, in a random order.
+  std::vector<const Category*> like(const Category& asked, int number, const Added& model) {
     const bool has_models = !knowledge().assets_of(asked.name).empty();
     const bool is_sliced = sliced_.contains(asked.name);  // no home has those
-    std::vector<std::pair<int, const Category*>> others;
+    using Unlike = std::pair<int, std::ptrdiff_t>;
+    std::vector<std::pair<Unlike, const Category*>> others;
     for (const Category& category : knowledge().categories()) {
       if (!can_be_decoy(category) || sliced_.contains(category.name) != is_sliced ||
           knowledge().assets_of(category.name).empty() == has_models)
         continue;
-      others.emplace_back(std::abs(static_cast<int>(number_in_home(category.name)) - number), &category);
+      const int gap = std::abs(static_cast<int>(number_in_home(category.name)) - number);
+      others.emplace_back(Unlike{gap, missing_states(category, model)}, &category);
     }
     rng_.shuffle(others);
     std::stable_sort(others.begin(), others.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<const Category*> alike;
-    for (const auto& [gap, category] : others) alike.push_back(category);
+    for (const auto& [unlike, category] : others) alike.push_back(category);
     return alike;
   }
 
-  void add_for(const Category& asked, int number, const std::vector<const Room*>& rooms) {
+  void add_for(const Category& asked, int number, const std::vector<Added>& models) {
     int left = kDecoys, tries = kTriesPerDecoy * kDecoys;
-    for (const Category* category : like(asked, number)) {
-      if (left == 0 || tries == 0 || added_ + rooms.size() > kMostAdded) break;
+    for (const Category* category : like(asked, number, models.front())) {
+      if (left == 0 || tries == 0 || added_ + models.size() > kMostAdded) break;
       const bool suits =
-          std::all_of(rooms.begin(), rooms.end(), [&](const Room* room) { return is_kept_in(*category, room); });
+          std::all_of(models.begin(), models.end(), [&](const Added& one) { return is_kept_in(*category, one.room); });
       if (!suits || is_spoken_of(*category)) continue;
       --tries;
-      if (add_in_each(*category, rooms)) --left;
+      if (add_like_each(*category, models)) --left;
       spoken_.insert(category->name);  // each once
     }
   }
 
-  /// Moves things of the home that the task does not speak of into the room, each once.
-  void move_into(const Room* room) {
-    std::vector<std::string> ids;
+  /// Moves things of the home that the task does not speak of into the room, each once: first those that are kept there
+  /// about as often as what was asked for.
+  void move_into(const Room* room, const std::string& asked) {
+    const auto suits = [&](const std::string& category) {
+      const auto* household = workspace().household();
+      return household == nullptr || room == nullptr ? 1 : household->in_room(category, room->type);
+    };
+    std::vector<std::pair<double, std::string>> ids;
     for (const Node& node : home_.scene.nodes) {
       const Category* category = knowledge().find(node.category);
       if (category == nullptr || !can_be_decoy(*category) || !is_kept_in(*category, room)) continue;
       const auto place = workspace().places().find(node.id);
-      if (place && workspace().scene().nodes[*place] == node) ids.push_back(node.id);
+      if (place && workspace().scene().nodes[*place] == node)
+        ids.emplace_back(std::abs(suits(node.category) - suits(asked)), node.id);
     }
     rng_.shuffle(ids);
-    int left = kDecoys, tries = kTriesPerDecoy * kDecoys;
-    for (const std::string& id : ids) {
+    std::stable_sort(ids.begin(), ids.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    int left = kMovedDecoys, tries = kTriesPerMoved * kMovedDecoys;
+    for (const auto& [unlike, id] : ids) {
       if (left == 0 || tries-- == 0 || moved_ == kMostMoved) break;
       if (!move_into(id, room)) continue;
       ++moved_;
@@ -253,13 +293,13 @@ class Decoys {
     return places[rng_.weighted(weights)].receptacle;
   }
 
-  bool add_in_each(const Category& category, const std::vector<const Room*>& rooms) {
+  bool add_like_each(const Category& category, const std::vector<Added>& models) {
     const std::string wanted = draw_goal_place(category);
     std::vector<std::string> ids;
-    for (const Room* room : rooms) {
-      if (const auto id = add_in(category, room, wanted)) ids.push_back(*id);
+    for (const Added& model : models) {
+      if (const auto id = add_like(category, model, wanted)) ids.push_back(*id);
     }
-    if (ids.size() == rooms.size()) {
+    if (ids.size() == models.size()) {
       added_ += ids.size();
       return true;
     }
@@ -267,11 +307,38 @@ class Decoys {
     return false;
   }
 
-  std::optional<std::string> add_in(const Category& category, const Room* room, const std::string& wanted) {
-    const auto id = editor_.add_object(category.name, is_free(room, wanted));
-    if (!id || is_sensible(*id)) return id;
-    editor_.remove(*id);
-    return std::nullopt;
+  /// On or in the same kind of furniture where there is a place for it, and in the same states as far as it can be.
+  std::optional<std::string> add_like(const Category& category, const Added& model, const std::string& wanted) {
+    const auto is_free_there = is_free(model.room, wanted);
+    std::optional<std::string> id;
+    if (is_kept_at(category, model.below))
+      id = editor_.add_object(category.name,
+                              [&](const Node& host) { return host.category == model.below && is_free_there(host); });
+    if (!id) id = editor_.add_object(category.name, is_free_there);
+    if (!id) return id;
+    if (!is_sensible(*id)) {
+      editor_.remove(*id);
+      return std::nullopt;
+    }
+    give_states(*id, model.states);
+    return id;
+  }
+
+  void give_states(const std::string& id, const StateSet& states) {
+    for (const State& state : states.all()) {
+      const Node before = workspace().scene().nodes[*workspace().places().find(id)];
+      if (before.states.has(state) || !may_be_common(state)) continue;
+      if (!editor_.set_state(id, state.predicate, state.symbol, true) || is_sensible(id)) continue;
+      editor_.replace(before);
+      editor_.refresh();
+    }
+  }
+
+  bool is_kept_at(const Category& category, const std::string& receptacle) {
+    const auto* household = workspace().household();
+    return household != nullptr && !receptacle.empty() &&
+           (household->place(kept_as(category), Predicate::On, receptacle) != nullptr ||
+            household->place(kept_as(category), Predicate::Inside, receptacle) != nullptr);
   }
 
   /// Whether a receptacle is in the room, and not where this task, or one for the thing itself, puts things.

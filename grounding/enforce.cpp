@@ -15,6 +15,7 @@ using Op = Formula::Op;
 
 constexpr int kDeepest = 12;
 constexpr int kMostAdded = 40;
+constexpr double kStays = 0.7;  // what goes off a place stays in such a room, mostly the one where such things are kept
 constexpr double kFar_m = 2.5;  // what is not to be nearest goes at least so far away
 
 bool is_empty(const Formula& body) { return body.op == Op::And && body.children.empty(); }
@@ -340,6 +341,22 @@ std::string Enforcer::id_of(const Term& term, const Names& names) const {
   return bound == names.rend() ? "" : bound->second;
 }
 
+bool Enforcer::move_off(const std::string& id, const std::string& category) {
+  const Workspace& workspace = editor_.workspace();
+  const auto type_around = [&](const std::string& thing) -> std::string {
+    const auto place = workspace.places().find(thing);
+    const Room* room = place ? workspace.room_of(*place) : nullptr;
+    return room == nullptr ? "" : room->type;
+  };
+  const std::string type = type_around(id);
+  if (!type.empty() && rng_.chance(kStays)) {
+    if (editor_.relocate(
+            id, [&](const Node& there) { return there.category != category && type_around(there.id) == type; }))
+      return true;
+  }
+  return editor_.relocate(id, [&](const Node& there) { return there.category != category; });
+}
+
 bool Enforcer::make_atom(const Formula& formula, const Names& names, bool truth) {
   using enum Predicate;
   const std::string subject = id_of(formula.terms.front(), names);
@@ -374,8 +391,7 @@ bool Enforcer::make_atom(const Formula& formula, const Names& names, bool truth)
                               [&](const Node& there) { return contains(polygon, there.pose.position.head<2>()); });
     }
   } else if (predicate == On || predicate == Inside) {
-    const std::string category = host == nullptr ? "" : host->category;
-    return editor_.relocate(subject, [&](const Node& there) { return there.category != category; });
+    return move_off(subject, host == nullptr ? "" : host->category);
   } else if (predicate == InRoom && room != nullptr) {
     const std::string type = room->type;
     return editor_.relocate(subject, [&](const Node& there) {

@@ -39,6 +39,8 @@ class Enforcer {
   bool make_for_all(const Formula& formula, const Names& names, bool truth, int depth);
   bool make_for_some(const Formula& formula, const Names& names, bool truth, int depth);
   bool make_number(const Formula& formula, const Names& names, int at_least, int at_most, int depth);
+  /// Puts a thing elsewhere than on or in receptacles of a category.
+  bool move_off(const std::string& id, const std::string& category);
   bool make_atom(const Formula& formula, const Names& names, bool truth);
   bool add_member(const Formula& formula, const Names& names, bool truth, int depth);
   /// A few rooms of a type in which such furniture usually stands, in random order.

@@ -12,7 +12,7 @@
 namespace unietp {
 namespace {
 
-constexpr double kAdded = 1e-4;   // times the weight of what is there
+constexpr double kAdded = 1e-4;   // times the weight of what is there in the room that is used most
 constexpr double kTooFew = 0.02;  // likewise, of what is there, but not in the number that is needed
 
 constexpr double kOneOfRooms = 0.05;  // a type of room that the home has several of: "one of the bedrooms"
@@ -36,6 +36,15 @@ std::vector<std::size_t> needed_by(const Template& source, Split split) {
     needed.push_back(static_cast<std::size_t>(most + (distinguishable ? 1 : 0)));
   }
   return needed;
+}
+
+/// Of the types of room that the home has.
+double least_room_weight(const Layout& layout, const Frequencies& counts) {
+  const Scene& scene = layout.home.scene;
+  const std::string prefix = std::string(name_of(scene.simulator)) + "/";
+  double least = 1;
+  for (const Room& room : scene.rooms) least = std::min(least, counts.weight(Dimension::Room, prefix + room.type));
+  return least;
 }
 
 }  // namespace
@@ -63,6 +72,7 @@ CategoryWeight weight_in(const Layout& layout, const Template& source, Split spl
   std::vector<Dimension> dimensions;
   for (const auto& parameter : source.parameters) dimensions.push_back(dimension_of(parameter, source));
   return [&layout, &source, &counts, rooms, dimensions = std::move(dimensions), needed = needed_by(source, split),
+          least_room = rooms == nullptr ? 1.0 : least_room_weight(layout, counts),
           prefix = std::string(name_of(layout.home.scene.simulator)) + "/"](const Parameter& parameter,
                                                                             const std::string& category) {
     const auto at = static_cast<std::size_t>(&parameter - source.parameters.data());
@@ -75,7 +85,7 @@ CategoryWeight weight_in(const Layout& layout, const Template& source, Split spl
       return of_type > 1 ? own * kOneOfRooms : own;
     }
     const std::size_t there = layout.home.places.of(category).size();
-    if (there == 0) return own * kAdded;
+    if (there == 0) return own * kAdded * least_room;
     if (there < needed[at]) {
       own *= kTooFew;
     } else if (!layout.home.scene.nodes[layout.home.places.of(category).front()].movable) {

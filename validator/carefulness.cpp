@@ -32,12 +32,12 @@ class CarefulReader {
 
   Carelessness read() {
     ModeEpisode episode = beginning();
-    Vec2 stood = episode.world().agent().position;  // when something was last done there
+    World done = episode.world();  // when something was last done
     for (std::size_t i = 0; i < plan_.size(); ++i) {
-      if (uses_a_device(plan_[i].type)) look_for_nearer(episode.world(), stood, plan_[i].args.front());
+      if (uses_a_device(plan_[i].type)) look_for_nearer(done, plan_[i].args.front());
       note_in_hand(i, episode.world());
       (void)episode.step(by_ids(plan_[i]));
-      if (!is_on_the_way(plan_[i].type)) stood = episode.world().agent().position;
+      if (!is_on_the_way(plan_[i].type)) done = episode.world();
     }
     look_at_the_end(episode.world());
     Carelessness careless;
@@ -88,18 +88,19 @@ class CarefulReader {
     return type == ActionType::PickUp || type == ActionType::Open || type == ActionType::Close;
   }
 
-  void look_for_nearer(const World& now, const Vec2& stood, const std::string& id) {
-    const Node* device = now.find(id);
+  /// `before`: when something was last done before the device is used.
+  void look_for_nearer(const World& before, const std::string& id) {
+    const Node* device = before.find(id);
     if (device == nullptr || device->movable || is_named(device->category)) return;
-    const double far = (device->pose.position.head<2>() - stood).norm();
-    const std::string category = device->category, room = now.room_of(id);
+    const double far = before.walking_distance(id);
+    const std::string category = device->category, room = before.room_of(id);
     std::vector<std::string> nearer;
-    for (const Node& node : now.nodes()) {
-      if (node.category == category && (node.pose.position.head<2>() - stood).norm() < far - kNearer_m)
+    for (const Node& node : before.nodes()) {
+      if (node.category == category && node.id != id && before.walking_distance(node.id) < far - kNearer_m)
         nearer.push_back(node.id);
     }
     for (const std::string& other : nearer) {
-      if (now.room_of(other) == room || !reaches_goal(with(id, other))) continue;
+      if (before.room_of(other) == room || !reaches_goal(with(id, other))) continue;
       found_[CarelessKind::FarAway].insert(id);
       return;
     }

@@ -258,7 +258,9 @@ std::optional<AlteredPlan> run_tempting(const Formula& goal, const World& start,
   }
   const Trace trace = traces.of(rollout.changes);
   const bool reached = holds(goal, trace);
-  const bool breaks = !reached && holds(without_constraints(goal), trace);
+  const auto readings = hasty_readings(goal);
+  const bool breaks = !reached && std::any_of(readings.begin(), readings.end(),
+                                              [&](const HastyReading& reading) { return holds(reading.goal, trace); });
   return AlteredPlan{PlanChange::Tempting, std::move(rollout.commands), reached, breaks};
 }
 

@@ -27,7 +27,8 @@ struct AlteredPlan {
   PlanChange change = PlanChange::MissingStep;
   std::vector<Command> commands;
   bool reaches_goal = false;
-  bool breaks_constraint = false;  // it reaches the goal but for its constraints (logic/constraints.h)
+  /// It reaches the goal but for its constraints; a tempting plan, some hasty reading of it (logic/constraints.h).
+  bool breaks_constraint = false;
 };
 
 /// Result of running plans that must not reach the goal.

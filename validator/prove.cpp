@@ -121,6 +121,7 @@ class TaskProver {
     if (goal_) prove_referents(traces.at_start());
     for (const auto& [mode, demonstration] : shown) prove_demonstration(*world, mode, demonstration, traces);
     if (in_m1 != shown.end() && goal_) add_tempting(*world, shown, in_m1->second.tempting, traces);
+    proof_.counts.tempting += some_breaks_it_ ? 1 : 0;
     if (reading_.wordings) prove_wordings(*reading_.wordings, traces, in_m1 == shown.end() ? nullptr : &in_m1->second);
     if (in_m1 != shown.end() && proof_.problems.empty()) prove_forms(in_m1->second);  // which read what is proven
     if (proof_.problems.empty()) compare_with_remade();
@@ -207,9 +208,8 @@ class TaskProver {
     found(std::move(altered.problems));
     if (mode == Mode::M1 && !hasty_readings(*goal_).empty()) {
       ++proof_.counts.constrained;
-      proof_.counts.tempting += !demonstration.tempting.empty() ||
-                                std::any_of(altered.plans.begin(), altered.plans.end(),
-                                            [](const AlteredPlan& plan) { return plan.breaks_constraint; });
+      some_breaks_it_ = std::any_of(altered.plans.begin(), altered.plans.end(),
+                                    [](const AlteredPlan& plan) { return plan.breaks_constraint; });
     }
     if (!tools_.options.take_plan) return;
     for (AlteredPlan& plan : altered.plans) proof_.plans.push_back({mode, std::move(plan)});
@@ -222,6 +222,7 @@ class TaskProver {
       if (tempting.empty() || !shown.contains(mode)) continue;
       auto run = run_tempting(*goal_, world, mode, traces, tempting);
       if (!run) continue;
+      some_breaks_it_ = some_breaks_it_ || (mode == Mode::M1 && run->breaks_constraint);
       ++proof_.counts.altered_plans;
       if (run->reaches_goal)
         found(ProblemKind::TemptingPlan, where_shown(mode), "the goal is also reached by its tempting plan");
@@ -351,6 +352,7 @@ class TaskProver {
   std::optional<Formula> goal_;
   std::vector<Formula> constraints_;
   const ValidationBackend* backend_ = nullptr;
+  bool some_breaks_it_ = false;  // a plan in M1 breaks a constraint of the goal
   TaskProof proof_;
 };
 

@@ -59,13 +59,30 @@ const std::string kOnDesk = "(exists (?p - Desk) (on ?a ?p))", kInFridge = "(exi
                   kNearestFridge = "(exists (?p - Fridge) (nearest ?a ?p))";
 
 TEST(CheckReferences, AcceptThePlaceThatIsAloneAndRefuseOneOfSeveral) {
-  EXPECT_EQ(odd(kInFridge, {"inside mug_1 fridge"}), "");
-  EXPECT_EQ(odd(kOnDesk, {"on mug_1 desk_1"}), "there are several of those");
+  EXPECT_EQ(odd(kInFridge, {"inside mug_1 fridge", "on mug_2 desk_1"}), "");
+  EXPECT_EQ(odd(kOnDesk, {"on mug_1 desk_1", "inside mug_2 fridge"}), "there are several of those");
+}
+
+TEST(CheckReferences, WantAnotherInAWrongPlaceOfTheSameSort) {
+  const std::string none = "none of the others is at such a place of another thing";
+  EXPECT_EQ(odd(kInFridge, {"inside mug_1 fridge"}), none);
+  EXPECT_EQ(odd(kInFridge, {"inside mug_1 fridge", "next_to mug_2 desk_1"}), none);
+  const std::vector<std::string> together{"next_to mug_1 fridge", "in_room mug_1 kitchen", "in_room fridge kitchen"};
+  const auto with = [&](const std::string& more) {
+    auto facts = together;
+    facts.push_back(more);
+    return odd(kBesideFridge, facts);
+  };
+  EXPECT_EQ(with("on mug_2 desk_1"), none);
+  EXPECT_EQ(with("next_to mug_2 desk_1"), "");
 }
 
 TEST(CheckReferences, RefuseALandmarkInAnotherRoom) {
-  EXPECT_EQ(odd(kBesideFridge, {"next_to mug_1 fridge", "in_room mug_1 kitchen", "in_room fridge kitchen"}), "");
-  EXPECT_EQ(odd(kBesideFridge, {"next_to mug_1 fridge", "in_room mug_1 office", "in_room fridge kitchen"}),
+  EXPECT_EQ(odd(kBesideFridge,
+                {"next_to mug_1 fridge", "next_to mug_2 desk_1", "in_room mug_1 kitchen", "in_room fridge kitchen"}),
+            "");
+  EXPECT_EQ(odd(kBesideFridge,
+                {"next_to mug_1 fridge", "next_to mug_2 desk_1", "in_room mug_1 office", "in_room fridge kitchen"}),
             "that is in another room");
 }
 
