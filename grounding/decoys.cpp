@@ -320,15 +320,19 @@ class Decoys {
       editor_.remove(*id);
       return std::nullopt;
     }
-    give_states(*id, model.states);
+    give_states(*id, model.states, is_free_there);
     return id;
   }
 
-  void give_states(const std::string& id, const StateSet& states) {
+  /// What few at its place are in, it is put elsewhere for.
+  void give_states(const std::string& id, const StateSet& states, const std::function<bool(const Node&)>& accept) {
     for (const State& state : states.all()) {
       const Node before = workspace().scene().nodes[*workspace().places().find(id)];
       if (before.states.has(state) || !may_be_common(state)) continue;
       if (!editor_.set_state(id, state.predicate, state.symbol, true) || is_sensible(id)) continue;
+      const Node now = workspace().scene().nodes[*workspace().places().find(id)];
+      const auto suits = [&](const Node& host) { return accept(host) && !is_rare_at(workspace(), now, host); };
+      if (editor_.relocate(id, suits) && is_sensible(id)) continue;
       editor_.replace(before);
       editor_.refresh();
     }

@@ -43,6 +43,13 @@ class DecoyStart : public ::testing::Test {
     }
     return added;
   }
+  static std::string category_below(const Scene& scene, const Node& node) {
+    for (const Edge& edge : scene.edges) {
+      if (edge.from == node.id && (edge.relation == Predicate::On || edge.relation == Predicate::Inside))
+        return find_node(scene, edge.to)->category;
+    }
+    return {};
+  }
   static const Room* room_of(const Scene& scene, const Node& node) {
     return room_at(scene, node.pose.position.head<2>());
   }
@@ -113,6 +120,39 @@ TEST_F(DecoyStart, HasOtherThingsThatWereMovedToTheSameRooms) {
   }
   EXPECT_GE(moved_mugs, 1);
   EXPECT_GE(moved_others, 2 * moved_mugs);
+}
+
+/// "Hold a mug" in a home that gets two more of them, and all are dirty: so are others that were added and can be.
+TEST_F(DecoyStart, HasOtherThingsThatWereAddedInTheSameStatesAndPlaces) {
+  int washable = 0, dirty = 0, others = 0, together = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    const Home lived_in = home(seed);
+    GroundingOptions options;
+    options.household = style_->recipe.household.get();
+    options.decoys = true;
+    const std::string more = std::to_string(lived_in.places.of("Mug").size() + 1);
+    const auto result =
+        ground(specification("(exists (?a - Mug) (at-end (held ?a)))",
+                             {"(count >= " + more + " (?a - Mug) (and))", "(forall (?a - Mug) (dirty ?a))"}),
+               lived_in, style_->knowledge, style_->profile, options, Rng(7));
+    const auto* grounded = std::get_if<Grounded>(&result);
+    if (grounded == nullptr) continue;
+    const Scene& start = grounded->episode.start;
+    const auto added = added_to(lived_in, start);
+    const std::string below = category_below(start, *added.at("Mug").front());
+    for (const auto& [category, things] : added) {
+      if (category == "Mug") continue;
+      for (const Node* thing : things) {
+        ++others;
+        together += category_below(start, *thing) == below ? 1 : 0;
+        washable += style_->knowledge.has(category, info(Predicate::Dirty).group) ? 1 : 0;
+        dirty += thing->states.has(Predicate::Dirty) ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GE(washable, 3);
+  EXPECT_GE(2 * dirty, washable) << "in homes, few things are dirty";
+  EXPECT_GE(3 * together, others);
 }
 
 /// "Hold a mug" in a home where all mugs have to be dirty: other things are dirty, too, that were clean.

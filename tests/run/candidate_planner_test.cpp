@@ -1,5 +1,6 @@
 #include "run/candidate_planner.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -7,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "../resources/committed.h"
+#include "run/category_weights.h"
 
 namespace unietp {
 namespace {
@@ -56,6 +58,33 @@ Worth worth_of(const RunConfiguration& configuration) {
   for (const auto& spread : balanced.spreads()) worth.balanced[spread.dimension] = spread.effective;
   for (const auto& spread : uniform.spreads()) worth.uniform[spread.dimension] = spread.effective;
   return worth;
+}
+
+TEST(CandidatePlanner, PrefersWhatTheHomeHasHoweverOftenItsRoomsWereUsed) {
+  LayoutPool layouts(small_homes(1), committed(), 1);
+  const auto& layout = layouts.layout(Simulator::Ai2thor, 0);
+  ASSERT_TRUE(layout);
+  const auto source = std::find_if(committed().templates.begin(), committed().templates.end(),
+                                   [](const Template& one) { return one.name == "place-one-on"; });
+  ASSERT_NE(source, committed().templates.end());
+  const RoomTypes rooms = room_types_in(*layout);
+  for (const int used : {0, 1000}) {
+    Frequencies counts;
+    for (const Room& room : layout->home.scene.rooms) counts.add({Dimension::Room, "ai2thor/" + room.type}, used);
+    const auto weight = weight_in(*layout, *source, Split::Atomic, counts, &rooms);
+    double least_there = 1, most_lacking = 0;
+    for (const Category& category : committed().backend(Simulator::Ai2thor).knowledge.categories()) {
+      if (!category.movable) continue;
+      const double wanted = weight(source->parameters.front(), category.name);
+      if (layout->home.places.of(category.name).empty()) {
+        most_lacking = std::max(most_lacking, wanted);
+      } else {
+        least_there = std::min(least_there, wanted);
+      }
+    }
+    EXPECT_GT(most_lacking, 0);
+    EXPECT_GT(least_there, 1000 * most_lacking) << used;
+  }
 }
 
 TEST(CandidatePlanner, IsFlatterThanUniformDrawsOverReceptacles) {
