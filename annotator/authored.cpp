@@ -69,6 +69,7 @@ class Author {
       const Place place{.beside_the = lists_the(reading.slots, slot, phrasing),
                         .sought = is_fetched(before),
                         .moved = goes_somewhere(reading.slots, slot, phrasing)};
+      is_listed_ = &slot != &reading.slots.back() && goes_on(slot, *(&slot + 1), phrasing);
       const Text said = words_for(slot, before, place);
       if (!said || phrases_.error()) return std::nullopt;
       filled += *said;
@@ -123,13 +124,15 @@ class Author {
     return link == " " || link == ", " || link == " and ";
   }
 
+  /// Whether two slots follow one another in a list.
+  static bool goes_on(const Slot& one, const Slot& next, std::string_view phrasing) {
+    const std::size_t end = one.offset + one.length;
+    const std::string_view link = phrasing.substr(end, next.offset - end);
+    return link == ", " || link == " and ";
+  }
+
   /// Whether a slot is in a list, "{A}, {B} and {C}", with what there is one of.
   bool lists_the(const std::vector<Slot>& slots, const Slot& slot, std::string_view phrasing) {
-    const auto goes_on = [&](const Slot& one, const Slot& next) {
-      const std::size_t end = one.offset + one.length;
-      const std::string_view link = phrasing.substr(end, next.offset - end);
-      return link == ", " || link == " and ";
-    };
     const auto is_the = [&](const Slot& one) {
       const auto found = phrases_.scope().find(lower(one.placeholder));
       return found != phrases_.scope().end() &&
@@ -137,8 +140,8 @@ class Author {
     };
     const std::size_t at = static_cast<std::size_t>(&slot - slots.data());
     std::size_t from = at, to = at;
-    while (from > 0 && goes_on(slots[from - 1], slots[from])) --from;
-    while (to + 1 < slots.size() && goes_on(slots[to], slots[to + 1])) ++to;
+    while (from > 0 && goes_on(slots[from - 1], slots[from], phrasing)) --from;
+    while (to + 1 < slots.size() && goes_on(slots[to], slots[to + 1], phrasing)) ++to;
     return std::any_of(slots.begin() + static_cast<std::ptrdiff_t>(from),
                        slots.begin() + static_cast<std::ptrdiff_t>(to) + 1, is_the);
   }
@@ -165,6 +168,10 @@ class Author {
     // What is put somewhere is not described by another place: "put the mug that is on the desk on the shelf".
     if (place.moved && !naming_.was_named(variable) &&
         std::any_of(thing.modifiers.begin(), thing.modifiers.end(), describes_by_place))
+      return std::nullopt;
+    // "The book nearest to the couch and the magazine" is nearest to both.
+    if (is_listed_ && !naming_.was_named(variable) && !thing.modifiers.empty() &&
+        !thing.modifiers.back().object.empty())
       return std::nullopt;
     if (slot.form == "slice" && !of_slices(thing.noun)) return std::nullopt;
     const bool closed = before.ends_with("Close ") || before.ends_with("close ") || before.ends_with("shut ");
@@ -217,6 +224,7 @@ class Author {
   bool speaks_of_one_ = false;  // "the pants" would not go with "it"
   bool another_ = false;        // the phrasing speaks of another
   bool said_all_ = false;       // "all the mugs" came before
+  bool is_listed_ = false;      // another thing of a list follows
   Style style_;
   Rng rng_;
   Plan plan_;

@@ -131,9 +131,16 @@ std::optional<Words> ClauseWriter::subjects_of(const Clause& clause, Place place
   place.beside_the = clause.subjects.size() > 1 &&
                      std::any_of(clause.subjects.begin(), clause.subjects.end(),
                                  [&](const NounPhrase& subject) { return naming_.will_be_the(subject); });
-  for (const NounPhrase& subject : clause.subjects) {
+  // "The magazine and the book nearest to the couch": the other way around, it would be nearest to both.
+  std::vector<const NounPhrase*> subjects;
+  for (const NounPhrase& subject : clause.subjects) subjects.push_back(&subject);
+  if (naming_.everyday())
+    std::stable_partition(subjects.begin(), subjects.end(), [](const NounPhrase* subject) {
+      return subject->modifiers.empty() || subject->modifiers.back().object.empty();
+    });
+  for (const NounPhrase* subject : subjects) {
     const std::size_t before = naming_.named_count();
-    const auto words = naming_.phrase(subject, place);
+    const auto words = naming_.phrase(*subject, place);
     if (!words) return std::nullopt;
     if (clause.any_subject && naming_.named_count() > before) naming_.forget_after(before);
     texts.push_back(words->text);
@@ -277,12 +284,10 @@ std::optional<std::string> ClauseWriter::worded(const Clause& clause) {
         patterns = {"pour {m} into {s}"};
       if (naming_.everyday() && naming_.has_lid(clause.subjects[0].noun))
         for (std::string& pattern : patterns) pattern = replace_all(pattern, "close {s}", "put the lid on {s}");
-      // What one holds is washed.
-      if (naming_.everyday() && naming_.is_carried(clause.subjects[0].noun))
-        std::erase_if(patterns, [](const std::string& pattern) { return pattern == "clean {s}"; });
-      // A table is cleaned, not washed.
-      if (naming_.everyday() && !naming_.is_carried(clause.subjects[0].noun))
-        std::erase_if(patterns, [](const std::string& pattern) { return pattern == "wash {s}"; });
+      // What one holds is washed; a table is cleaned, not washed.
+      const Domain& noun = clause.subjects[0].noun;
+      const char* unsaid = naming_.is_carried(noun) || naming_.names_by_use(noun) ? "clean {s}" : "wash {s}";
+      if (naming_.everyday()) std::erase(patterns, unsaid);
       if (const Text cut = naming_.everyday() ? cut_first(clause) : std::nullopt) return cut;
       const bool clean_subject = clause.subjects[0].determiner != Determiner::No &&
                                  clause.subjects[0].determiner != Determiner::AtMost &&
@@ -374,9 +379,15 @@ std::optional<std::string> ClauseWriter::taken_first(const Clause& clause) {
     const std::string into = goes.predicate == Predicate::Inside ? " into " : " to ";
     return "move " + subject->text + " from " + *there + into + to->text;
   }
+  const bool sought = naming_.everyday() && naming_.names_by_use(thing.noun);
+  // "Get something to read and bring it to the office": nobody puts it in there.
+  if (sought && !there && !again && goes.predicate == Predicate::InRoom) {
+    const auto room = naming_.phrase(goes.object[0], place);
+    if (!room) return std::nullopt;
+    return "get " + subject->text + " and bring " + (subject->plural ? "them" : "it") + " to " + room->text;
+  }
   const Text where = again ? again : naming_.complement(goes, place);
   const std::string put = naming_.everyday() ? " and put " : pick({" and put ", " and place "});
-  const bool sought = naming_.everyday() && naming_.names_by_use(thing.noun);
   return where ? Text((sought ? "get " : "take ") + subject->text + (there ? off + *there : "") + put +
                       (subject->plural ? "them " : "it ") + *where)
                : std::nullopt;

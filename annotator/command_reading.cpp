@@ -163,6 +163,12 @@ Clause ClauseReader::taken() {
     placed(clause);
     return clause;
   }
+  if (words_.accept_one({"and bring it", "and bring them"}) >=
+      0) {  // "get something to read and bring it to the office"
+    if (clause.subjects.size() > 1) words_.fail("expected one object before 'and bring it'");
+    if (!goes_to(clause)) words_.fail("expected 'to'");
+    return clause;
+  }
   if (taken_from(clause)) return clause;
   if (goes_to(clause)) return clause;
   const bool inside = words_.accept("out of");

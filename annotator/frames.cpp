@@ -51,6 +51,14 @@ std::string everyday_request(const std::string& command, bool is_first, Rng& rng
   return sentence("please " + command, '.');
 }
 
+std::vector<std::string> as_requests(const std::string& command) {
+  std::vector<std::string> requests{sentence("please " + command, '.')};
+  if (forbids(command)) return requests;
+  for (const char* before : {"can you ", "could you ", "could you please "})
+    requests.push_back(sentence(before + command, '?'));
+  return requests;
+}
+
 std::string framed_request(const std::string& command, bool is_first, Rng& rng) {
   if (forbids(command)) return sentence((rng.chance(0.3) ? "please " : "") + command, '.');
   if (rng.chance(0.2)) return sentence(command, '.');

@@ -7,6 +7,7 @@
 
 #include "annotator/home_facts.h"
 #include "annotator/instruction.h"
+#include "core/text.h"
 #include "logic/evaluate.h"
 #include "scene/trace.h"
 
@@ -23,29 +24,52 @@ constexpr std::array kOpposites{WordPair{"open", "close"},  WordPair{"on", "off"
                                 WordPair{"wash", "soak"},   WordPair{"heated", "chilled"}, WordPair{"washed", "heated"},
                                 WordPair{"under", "on"}};
 
-/// A word of the text, and what stands in its place.
+/// A word of the text, and what stands in its place. `alike`: it is said of the same things, as opposites and colors
+/// are, and the names of things of one kind.
 struct Change {
   std::size_t token = 0;
   std::string word;
+  bool alike = true;
 };
 
+/// Whether two categories are of one narrowest kind, or of kinds that have the next wider one in common: not just any
+/// two things that can be carried.
+bool are_alike(const Category* one, const Category* other) {
+  constexpr std::array<std::string_view, 4> kAny{"thing", "movable", "place", "fixture"};
+  if (one == nullptr || other == nullptr) return false;
+  for (std::size_t i = 0; i < std::min<std::size_t>(2, one->kinds.size()); ++i) {
+    const std::string& kind = one->kinds[i];
+    if (std::find(kAny.begin(), kAny.end(), kind) == kAny.end() &&
+        std::find(other->kinds.begin(), other->kinds.end(), kind) != other->kinds.end())
+      return true;
+  }
+  return false;
+}
+
 /// Other things of the home that are called by one word, as the one that is named at a token is.
-void other_things(const std::vector<Token>& tokens, std::size_t at, const NounTable& nouns,
+void other_things(const std::vector<Token>& tokens, std::size_t at, const Knowledge& knowledge, const NounTable& nouns,
                   const std::vector<std::string>& there, std::vector<Change>& changes) {
   const auto noun = nouns.noun_at(tokens, at);
   if (noun.length != 1 || noun.nouns.size() != 1 || noun.nouns[0].members.size() != 1) return;
-  const NounTable::Name* own = nouns.display(noun.nouns[0].members[0].category);
+  const std::string& meant = noun.nouns[0].members[0].category;
+  const NounTable::Name* own = nouns.display(meant);
   if (own == nullptr) return;
+  // "The cabinet where the mug is kept" is not where another mug goes.
+  const auto is_said = [&](const std::string& word) {
+    return std::any_of(tokens.begin(), tokens.end(), [&](const Token& token) { return token.text == word; });
+  };
   for (const std::string& category : there) {
     const NounTable::Name* name = nouns.display(category);
     if (name == nullptr || name == own || name->movable != own->movable || name->countable != own->countable) continue;
     const std::string& word =
         tokens[at].text == own->plural && own->plural != own->singular ? name->plural : name->singular;
-    if (word.find(' ') == word.npos && word != tokens[at].text) changes.push_back({at, word});
+    if (word.find(' ') == word.npos && !is_said(lower(word)))
+      changes.push_back({at, word, are_alike(knowledge.find(meant), knowledge.find(category))});
   }
 }
 
-std::vector<Change> changes_of(const std::vector<Token>& tokens, const NounTable& nouns, const Scene& home) {
+std::vector<Change> changes_of(const std::vector<Token>& tokens, const Knowledge& knowledge, const NounTable& nouns,
+                               const Scene& home) {
   const auto there = categories_in(home);
   std::vector<std::string> colours;
   for (const Node& node : home.nodes)
@@ -59,14 +83,15 @@ std::vector<Change> changes_of(const std::vector<Token>& tokens, const NounTable
     }
     for (const std::string& colour : colours)
       if (nouns.is_colour(word) && word != colour) changes.push_back({i, colour});
-    other_things(tokens, i, nouns, there, changes);
+    other_things(tokens, i, knowledge, nouns, there, changes);
   }
   return changes;
 }
 
 std::string changed(const std::string& text, const Token& token, std::string word) {
   const auto at = static_cast<std::size_t>(token.column) - 1;
-  if (std::isupper(static_cast<unsigned char>(text[at])) != 0)
+  const bool begins = at == 0 || (at > 1 && (text[at - 2] == '.' || text[at - 2] == '?'));
+  if (begins && std::isupper(static_cast<unsigned char>(text[at])) != 0)
     word[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(word[0])));
   return text.substr(0, at) + word + text.substr(at + token.text.size());
 }
@@ -84,8 +109,9 @@ std::optional<MinimalPair> minimal_pair(const std::string& text, const Specifica
                                         const Knowledge& knowledge, const NounTable& nouns, const Scene& home,
                                         Rng rng) {
   const auto tokens = tokens_of(text);
-  auto changes = changes_of(tokens, nouns, home);
+  auto changes = changes_of(tokens, knowledge, nouns, home);
   rng.shuffle(changes);
+  std::stable_partition(changes.begin(), changes.end(), [](const Change& change) { return change.alike; });
   if (changes.size() > kTried) changes.resize(kTried);
   const auto says = [&](const std::string& words, const Formula& goal) {
     Specification asked = specification;

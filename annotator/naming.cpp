@@ -52,8 +52,9 @@ std::optional<std::string> Naming::name_of(const Domain::Member& member, bool pl
     // One opens the oven of a stove.
     const bool opened =
         std::find(wording_.opened.begin(), wording_.opened.end(), member.category) != wording_.opened.end();
-    const auto oven =
-        opened && name.singular == "stove" ? lexicon_.noun_at(tokens_of("oven"), 0).nouns : std::vector<Domain>();
+    const auto oven = opened && (name.singular == "stove" || name.singular == "cooker")
+                          ? lexicon_.noun_at(tokens_of("oven"), 0).nouns
+                          : std::vector<Domain>();
     if (oven.size() == 1 && oven[0] == of_category(member.category)) name.singular = "oven", name.plural = "ovens";
     found = chosen_.emplace(member.category, name).first;
   }

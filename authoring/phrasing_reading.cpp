@@ -6,6 +6,7 @@
 #include "annotator/authored.h"
 #include "annotator/home_facts.h"
 #include "annotator/instruction.h"
+#include "annotator/other_wordings.h"
 #include "core/text.h"
 #include "generator/style_fit.h"
 #include "scene/trace.h"
@@ -72,6 +73,7 @@ std::vector<StyleTexts> texts_by_style(const Template& source, const Specificati
   std::vector<StyleTexts> all;
   for (const Style style : styles) {
     StyleTexts found{style, {}};
+    std::vector<std::pair<Specification, Instruction>> plainly;
     for (std::uint64_t seed = 0; seed < kSeeds && found.texts.size() < count; ++seed) {
       const Rng own = rng.fork(name_of(style), seed);
       const auto task = style == plain.style
@@ -80,9 +82,15 @@ std::vector<StyleTexts> texts_by_style(const Template& source, const Specificati
       if (!task) continue;
       const auto text = write_instruction(*task, backend.knowledge, backend.nouns, writing, own);
       if (!text || text->style != style) continue;
-      if (std::find(found.texts.begin(), found.texts.end(), text->text) == found.texts.end())
-        found.texts.push_back(text->text);
+      if (std::find(found.texts.begin(), found.texts.end(), text->text) != found.texts.end()) continue;
+      found.texts.push_back(text->text);
+      plainly.emplace_back(*task, *text);
     }
+    for (const auto& [task, text] : plainly)  // where a style has few texts, the same as requests
+      for (const Instruction& request :
+           requests_for(text, task, backend.knowledge, backend.nouns, home, {found.texts.begin(), found.texts.end()},
+                        count - found.texts.size()))
+        found.texts.push_back(request.text);
     if (!found.texts.empty()) all.push_back(std::move(found));
   }
   return all;

@@ -84,13 +84,30 @@ class PairWriter {
     pair.contrast_goal = to_text(other->goal);
   }
 
-  /// Where everyday words have one form only, a second one comes from the wider choice.
+  /// Where everyday words have too few forms, requests follow; where they have one only, a second one comes from the
+  /// wider choice.
   void add_others(WordingsEntry& pair) const {
     add_others(pair, wordings_, writing_);
-    if (writing_.phrasings != Phrasings::Everyday || texts_of_goal(pair).size() > 1) return;
+    if (writing_.phrasings != Phrasings::Everyday) return;
+    add_requests(pair, pair.direct);
+    const auto others = pair.others;
+    for (const Instruction& other : others) add_requests(pair, other);
+    if (texts_of_goal(pair).size() > 1) return;
     WritingOptions wider = writing_;
     wider.phrasings = Phrasings::All;
     add_others(pair, 2, wider);
+  }
+
+  void add_requests(WordingsEntry& pair, const Instruction& command) const {
+    const auto known = texts_of_goal(pair);
+    if (known.size() >= wordings_) return;
+    Specification specification = task_.specification;
+    specification.style = command.style;
+    for (Instruction& request : requests_for(command, specification, backend_.knowledge, backend_.nouns_in(english_),
+                                             start_, known, wordings_ - known.size())) {
+      request.phrasing = 0;  // of a task's instruction only
+      pair.others.push_back(std::move(request));
+    }
   }
 
   /// Plain texts first, the template's own among them; then in one style after the other.

@@ -95,6 +95,19 @@ TEST(Articles, AreDefiniteForThePlaceThatWasNamedBefore) {
               Each(AllOf(Not(HasSubstr("a desk")), Not(HasSubstr("a dresser")))));
 }
 
+TEST(Lists, EndWithWhatIsToldByAPlace) {
+  const char* goal =
+      "(exists (?a - (Mug :where (exists (?f - Fridge) (nearest ?a ?f)))) (exists (?b - Bowl) (exists (?t - Table) "
+      "(at-end (and (on ?a ?t) (on ?b ?t))))))";
+  const Scene home = home_of({{"Table"}, {"Fridge"}, {"Mug"}, {"Mug"}, {"Bowl"}});
+  const NounTable nouns(small_knowledge(), committed_names());
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    const auto written = write_instruction(asking(goal), small_knowledge(), nouns, {}, Rng(seed));
+    ASSERT_TRUE(written) << format(written.error());
+    EXPECT_EQ(written->text.find("fridge and"), std::string::npos) << written->text;
+  }
+}
+
 TEST(Another, NeedsNoNounBesideTheFirst) {
   const char* goal =
       "(exists (?a - Mug) (exists (?o - Mug) (exists (?t - Table) (exists (?c - CoffeeTable) (at-end (and (not (= ?a "

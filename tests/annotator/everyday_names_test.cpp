@@ -9,6 +9,7 @@
 #include <string>
 
 #include "annotator/instruction.h"
+#include "annotator/meaning.h"
 #include "annotator/noun_table.h"
 #include "annotator/words_for_writing.h"
 #include "core/files.h"
@@ -90,6 +91,25 @@ TEST(EverydayNames, ReportsBadRowsWithFileLineAndColumn) {
                           StartsWith("everyday_names.csv:4:6: "), StartsWith("rare_names.csv:2:6: ")));
   EXPECT_THAT(errors_of(header + "mug,cup\n", ""),
               ElementsAre(StartsWith("everyday_names.csv:2:"), StartsWith("rare_names.csv:")));
+}
+
+TEST(EverydayNames, OfOneSimulatorsThingsAreNotThoseOfAnothers) {
+  const NounTable thor(committed_knowledge(Simulator::Ai2thor)), home(committed_knowledge(Simulator::Habitat));
+  EXPECT_EQ(thor.display("Cup")->singular, "glass");
+  EXPECT_EQ(thor.display("Cup")->plural, "glasses");
+  EXPECT_EQ(home.display("cup")->singular, "cup");
+  const auto asked = *parse_formula("test", "(exists (?a - Cup) (at-end (filled ?a wine)))", FormulaUse::Goal);
+  for (const char* text : {"Pour wine into the glass.", "Pour wine into the cup."}) {
+    const auto read = parse_instruction(text, committed_knowledge(Simulator::Ai2thor));
+    ASSERT_TRUE(read) << format(read.error());
+    EXPECT_TRUE(same_meaning(*read, asked)) << text << to_text(*read);
+  }
+}
+
+TEST(EverydayNames, OfBritonsAreCountedAsTheyCountThem) {
+  const NounTable thor(committed_knowledge(Simulator::Ai2thor), English::Gb);
+  EXPECT_EQ(thor.display("ToiletPaper")->plural, "toilet rolls");
+  EXPECT_TRUE(thor.display("ToiletPaper")->countable);
 }
 
 TEST(Substances, AreWrittenAsInEnglish) {

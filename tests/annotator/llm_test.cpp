@@ -46,7 +46,7 @@ ChatServer::Handler answering(std::vector<std::string> wordings, std::string jud
 
 class LlmWriter : public ::testing::Test {
  protected:
-  LlmWriter() : knowledge_(small_knowledge()), nouns_(knowledge_) {}
+  LlmWriter() : knowledge_(small_knowledge()), nouns_(knowledge_, committed_names()) {}
 
   WordingTask task(const char* goal, std::uint64_t seed = 1) const {
     return {asking(goal), &knowledge_, &nouns_, {"Mug", "Table"}, {}, "kitchen: table, 2 mugs\n", {}, Rng(seed)};

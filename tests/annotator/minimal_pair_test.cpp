@@ -51,6 +51,28 @@ TEST(MinimalPair, DiffersInOneWordAndEachTextMeansItsGoalAlone) {
   EXPECT_GE(found, 15);
 }
 
+TEST(MinimalPair, NamesThingsOfTheSameKindBeforeOthers) {
+  const Knowledge& knowledge = committed_knowledge(Simulator::Ai2thor);
+  const NounTable nouns(knowledge);
+  const Scene home = kitchen_with({"Fork", "Spoon", "Book", "Vase", "Apple"});
+  const auto task = asking("(exists (?m - Fork) (at-end (held ?m)))");
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const auto pair = minimal_pair("Pick up the fork.", task, knowledge, nouns, home, Rng(seed));
+    ASSERT_TRUE(pair);
+    EXPECT_EQ(pair->text, "Pick up the spoon.");
+  }
+}
+
+TEST(MinimalPair, KeepsCapitalsToTheFirstWord) {
+  const Knowledge& knowledge = committed_knowledge(Simulator::Ai2thor);
+  const NounTable nouns(knowledge);
+  const Scene home = kitchen_with({"CD", "Book"});
+  const auto task = asking("(exists (?m - CD) (at-end (held ?m)))");
+  const auto pair = minimal_pair("Pick up the CD.", task, knowledge, nouns, home, Rng(1));
+  ASSERT_TRUE(pair);
+  EXPECT_EQ(pair->text, "Pick up the book.");
+}
+
 TEST(MinimalPair, IsNoneWhereNoOtherWordSaysAnything) {
   const Knowledge& knowledge = committed_knowledge(Simulator::Ai2thor);
   const NounTable nouns(knowledge, committed_names());

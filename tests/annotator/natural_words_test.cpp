@@ -74,6 +74,24 @@ TEST(NaturalWords, TakeAThingBeforeItsUseMeetsAPlace) {
   EXPECT_THAT(texts, Each(Not(HasSubstr("drink from on"))));
 }
 
+TEST(NaturalWords, BringToARoomWhatIsSought) {
+  const Knowledge knowledge = small_knowledge();
+  const NounTable nouns(knowledge);
+  const auto task =
+      asking("(exists (?a - (either Bowl Mug)) (exists (?r - kitchen) (at-end (in_room ?a ?r))))", "function");
+  EXPECT_TRUE(check_instruction("Get something to drink from and bring it to the kitchen.", task, knowledge).empty());
+  EXPECT_FALSE(check_instruction("Get something to drink from and bring it to the office.", task, knowledge).empty());
+  EXPECT_FALSE(check_instruction("Get something to drink from and bring it.", task, knowledge).empty());
+  std::vector<std::string> texts;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    const auto written = write_instruction(task, knowledge, nouns, {}, Rng(seed));
+    ASSERT_TRUE(written) << format(written.error());
+    texts.push_back(written->text);
+  }
+  EXPECT_THAT(texts, Contains(HasSubstr("et something to drink from and bring it to the kitchen")));
+  EXPECT_THAT(texts, Each(Not(HasSubstr("put it in the kitchen"))));
+}
+
 TEST(NaturalWords, SayLastWhatAThingIsNeededFor) {
   const auto texts = texts_of(
       "(exists (?a - (either Bowl Mug)) (exists (?k - Knife) (at-end (and (held ?k) (clean ?a)))))", "function");
