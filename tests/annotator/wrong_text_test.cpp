@@ -36,7 +36,7 @@ class WrongTexts : public ::testing::Test {
   }
   void use(Simulator simulator) {
     knowledge_ = &committed_knowledge(simulator);
-    nouns_ = std::make_unique<NounTable>(*knowledge_);
+    nouns_ = std::make_unique<NounTable>(*knowledge_, committed_names());
   }
 
   /// A task of each template, plain and, where it can be, with a referent.
