@@ -51,6 +51,12 @@ struct Added {
   StateSet states = {};
 };
 
+/// A state that the start gave a thing of the home, and all that the thing is in since.
+struct Given {
+  State state;
+  StateSet all;
+};
+
 class Decoys {
  public:
   Decoys(SceneEditor& editor, const Specification& specification, const Home& home, Rng rng)
@@ -79,7 +85,7 @@ class Decoys {
         add_for(*knowledge().find(category), number - 1, {Added{}});
       }
       for (const Room* room : rooms_of_moved(category)) move_into(room, category);
-      for (const State& state : states_given(category)) give_to_others(state);
+      for (const Given& given : states_given(category)) give_to_others(given);
     }
     return static_cast<int>(added_ + moved_ + restated_);
   }
@@ -133,14 +139,15 @@ class Decoys {
   }
 
   /// The states that movable things of a category are in and are not in the home, once for each thing.
-  std::vector<State> states_given(const std::string& category) {
-    std::vector<State> given;
+  std::vector<Given> states_given(const std::string& category) {
+    std::vector<Given> given;
     for (const std::size_t place : workspace().places().of(category)) {
       const Node& node = workspace().scene().nodes[place];
       const auto before = home_.places.find(node.id);
       if (!node.movable || !before) continue;
       for (const State& state : node.states.all()) {
-        if (!home_.scene.nodes[*before].states.has(state) && may_be_common(state)) given.push_back(state);
+        if (!home_.scene.nodes[*before].states.has(state) && may_be_common(state))
+          given.push_back({state, node.states});
       }
     }
     return given;
@@ -173,13 +180,16 @@ class Decoys {
     return category != nullptr && category->movable;
   }
 
+  bool can_be_in(const std::string& category, const State& state) {
+    const auto group = info(state.predicate == Predicate::Filled ? Predicate::Empty : state.predicate).group;
+    return group.empty() || knowledge().has(category, group);
+  }
+
   /// How many states of a thing the others of a category can never be in.
   std::ptrdiff_t missing_states(const Category& category, const Added& model) {
     const auto& states = model.states.all();
-    return std::count_if(states.begin(), states.end(), [&](const State& state) {
-      const auto group = info(state.predicate == Predicate::Filled ? Predicate::Empty : state.predicate).group;
-      return may_be_common(state) && !group.empty() && !knowledge().has(category.name, group);
-    });
+    return std::count_if(states.begin(), states.end(),
+                         [&](const State& state) { return may_be_common(state) && !can_be_in(category.name, state); });
   }
 
   /// Those of which the home has that number come first, of these such as can be in the states, in a random order.
@@ -233,7 +243,7 @@ class Decoys {
     rng_.shuffle(ids);
     std::stable_sort(ids.begin(), ids.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     int left = kMovedDecoys, tries = kTriesPerMoved * kMovedDecoys;
-    for (const auto& [unlike, id] : ids) {
+    for (const auto& [gap, id] : ids) {
       if (left == 0 || tries-- == 0 || moved_ == kMostMoved) break;
       if (!move_into(id, room)) continue;
       ++moved_;
@@ -253,21 +263,27 @@ class Decoys {
   }
 
   /// Gives a state to things of the home that the task does not speak of, each once.
-  void give_to_others(const State& state) {
-    std::vector<std::string> ids;
+  void give_to_others(const Given& given) {
+    const State& state = given.state;
+    std::vector<std::pair<int, std::string>> ids;
     for (const Node& node : home_.scene.nodes) {
       const auto place = workspace().places().find(node.id);
-      if (!node.movable || spoken_.contains(node.category) || node.states.has(state)) continue;
-      if (place && workspace().scene().nodes[*place] == node) ids.push_back(node.id);
+      if (!place || !node.movable || spoken_.contains(node.category)) continue;
+      const Node& now = workspace().scene().nodes[*place];
+      if (now.states.has(state) || (now != node && !given_states_.contains(node.id))) continue;
+      ids.emplace_back(unlike(now, given), node.id);
     }
     rng_.shuffle(ids);
+    std::stable_sort(ids.begin(), ids.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     int left = kRestatedDecoys, tries = kTriesPerRestated * kRestatedDecoys;
-    for (const std::string& id : ids) {
+    for (const auto& [gap, id] : ids) {
       if (left == 0 || tries == 0 || restated_ == kMostRestated) break;
       const Node before = workspace().scene().nodes[*workspace().places().find(id)];
       if (!editor_.set_state(id, state.predicate, state.symbol, true)) continue;
       --tries;
       if (is_sensible(id)) {
+        given_states_.insert(id);
+        give_states(id, given.all, [](const Node&) { return false; });
         ++restated_;
         --left;
       } else {
@@ -275,6 +291,17 @@ class Decoys {
         editor_.refresh();
       }
     }
+  }
+
+  /// How far a thing is from the other states of the one that was given a state: a dirty mug full of water is told from
+  /// the clean ones that are full by being both. What can never be in a state counts twice.
+  int unlike(const Node& node, const Given& given) {
+    int sum = 0;
+    for (const State& other : given.all.all()) {
+      if (other == given.state || !may_be_common(other) || node.states.has(other)) continue;
+      sum += can_be_in(node.category, other) ? 1 : 2;
+    }
+    return sum;
   }
 
   bool is_kept_in(const Category& category, const Room* room) {
@@ -324,7 +351,7 @@ class Decoys {
     return id;
   }
 
-  /// What few at its place are in, it is put elsewhere for.
+  /// What few at its place are in, it is put elsewhere for, on or in what is accepted.
   void give_states(const std::string& id, const StateSet& states, const std::function<bool(const Node&)>& accept) {
     for (const State& state : states.all()) {
       const Node before = workspace().scene().nodes[*workspace().places().find(id)];
@@ -367,6 +394,7 @@ class Decoys {
   std::set<std::string_view> names_;                     // of these
   std::set<std::string> places_;                         // categories of places that the goal names
   std::map<std::string_view, std::string_view> sliced_;  // categories that only slicing makes: of what
+  std::set<std::string> given_states_;                   // ids of things that were given a state for that
   std::size_t added_ = 0, moved_ = 0, restated_ = 0;
 };
 

@@ -16,7 +16,8 @@ namespace unietp {
 /// category of which the home has several and nothing was added, kDecoys others that it has once less come first to be
 /// given one more, in any room. For each thing of the goal that was moved, kMovedDecoys others of the home are moved
 /// into its room, first those that are kept there about as often; for each state that it was given, kRestatedDecoys
-/// others of the home are given it, at most fifteen in all, if such things are in it at such places. All are placed as
+/// others of the home are given it and its other states as far as they can be, first those that share these, at most
+/// fifteen in all, if such things are in it at such places. All are placed as
 /// SceneEditor places things, not where the goal puts something, nor in one place, drawn among the usual ones of their
 /// category, that a task for them could have named. Nothing of a category that the task speaks of is added or moved,
 /// and nothing is added that its words could mean; nothing stays where it would be senseless. Deterministic. How many

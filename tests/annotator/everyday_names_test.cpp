@@ -94,7 +94,8 @@ TEST(EverydayNames, ReportsBadRowsWithFileLineAndColumn) {
 }
 
 TEST(EverydayNames, OfOneSimulatorsThingsAreNotThoseOfAnothers) {
-  const NounTable thor(committed_knowledge(Simulator::Ai2thor)), home(committed_knowledge(Simulator::Habitat));
+  const NounTable thor(committed_knowledge(Simulator::Ai2thor), committed_names()),
+      home(committed_knowledge(Simulator::Habitat), committed_names());
   EXPECT_EQ(thor.display("Cup")->singular, "glass");
   EXPECT_EQ(thor.display("Cup")->plural, "glasses");
   EXPECT_EQ(home.display("cup")->singular, "cup");
@@ -107,7 +108,7 @@ TEST(EverydayNames, OfOneSimulatorsThingsAreNotThoseOfAnothers) {
 }
 
 TEST(EverydayNames, OfBritonsAreCountedAsTheyCountThem) {
-  const NounTable thor(committed_knowledge(Simulator::Ai2thor), English::Gb);
+  const NounTable thor(committed_knowledge(Simulator::Ai2thor), committed_names(), English::Gb);
   EXPECT_EQ(thor.display("ToiletPaper")->plural, "toilet rolls");
   EXPECT_TRUE(thor.display("ToiletPaper")->countable);
 }

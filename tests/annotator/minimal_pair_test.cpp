@@ -53,7 +53,7 @@ TEST(MinimalPair, DiffersInOneWordAndEachTextMeansItsGoalAlone) {
 
 TEST(MinimalPair, NamesThingsOfTheSameKindBeforeOthers) {
   const Knowledge& knowledge = committed_knowledge(Simulator::Ai2thor);
-  const NounTable nouns(knowledge);
+  const NounTable nouns(knowledge, committed_names());
   const Scene home = kitchen_with({"Fork", "Spoon", "Book", "Vase", "Apple"});
   const auto task = asking("(exists (?m - Fork) (at-end (held ?m)))");
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
@@ -65,7 +65,7 @@ TEST(MinimalPair, NamesThingsOfTheSameKindBeforeOthers) {
 
 TEST(MinimalPair, KeepsCapitalsToTheFirstWord) {
   const Knowledge& knowledge = committed_knowledge(Simulator::Ai2thor);
-  const NounTable nouns(knowledge);
+  const NounTable nouns(knowledge, committed_names());
   const Scene home = kitchen_with({"CD", "Book"});
   const auto task = asking("(exists (?m - CD) (at-end (held ?m)))");
   const auto pair = minimal_pair("Pick up the CD.", task, knowledge, nouns, home, Rng(1));

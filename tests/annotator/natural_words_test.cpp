@@ -76,7 +76,7 @@ TEST(NaturalWords, TakeAThingBeforeItsUseMeetsAPlace) {
 
 TEST(NaturalWords, BringToARoomWhatIsSought) {
   const Knowledge knowledge = small_knowledge();
-  const NounTable nouns(knowledge);
+  const NounTable nouns(knowledge, committed_names());
   const auto task =
       asking("(exists (?a - (either Bowl Mug)) (exists (?r - kitchen) (at-end (in_room ?a ?r))))", "function");
   EXPECT_TRUE(check_instruction("Get something to drink from and bring it to the kitchen.", task, knowledge).empty());
