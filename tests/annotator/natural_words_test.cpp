@@ -88,8 +88,8 @@ TEST(NaturalWords, BringToARoomWhatIsSought) {
     ASSERT_TRUE(written) << format(written.error());
     texts.push_back(written->text);
   }
-  EXPECT_THAT(texts, Contains(HasSubstr("et something to drink from and bring it to the kitchen")));
-  EXPECT_THAT(texts, Each(Not(HasSubstr("put it in the kitchen"))));
+  EXPECT_THAT(texts, Contains(HasSubstr("et something to drink from and bring it to a kitchen")));
+  EXPECT_THAT(texts, Each(Not(HasSubstr("put it in"))));
 }
 
 TEST(NaturalWords, SayLastWhatAThingIsNeededFor) {
