@@ -167,7 +167,8 @@ ThorPlaces places_of(const Scene& start, const ThorNames& names, const Knowledge
 
 Json rooms_of(const Scene& start) {
   Json rooms = Json::object();
-  for (std::size_t i = 0; i < start.rooms.size(); ++i) rooms[start.rooms[i].id] = procthor_room_id(i);
+  const std::vector<std::string> ids = procthor_room_ids(start);
+  for (std::size_t i = 0; i < ids.size(); ++i) rooms[start.rooms[i].id] = ids[i];
   return rooms;
 }
 

@@ -34,10 +34,11 @@ ExportedScene write_floor_plan(const FinishedTask& task) {
     }
   }
   Json rooms = Json::array();
+  const std::vector<std::string> ids = procthor_room_ids(start);
   for (std::size_t i = 0; i < start.rooms.size(); ++i) {
     Json floor = Json::array();
     for (const Vec2& corner : start.rooms[i].polygon) floor.push_back(house_point(corner));
-    rooms.push_back({{"id", procthor_room_id(i)}, {"floorPolygon", std::move(floor)}});
+    rooms.push_back({{"id", ids[i]}, {"floorPolygon", std::move(floor)}});
   }
   const Json plan{{"scene", name}, {"rooms", std::move(rooms)}, {"metadata", house_metadata(start)}};
   written.text = plan.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";

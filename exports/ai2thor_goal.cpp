@@ -64,7 +64,7 @@ class TestWriter {
     const auto place =
         std::find_if(start_.rooms.begin(), start_.rooms.end(), [&](const Room& one) { return one.id == room; });
     if (place == start_.rooms.end()) return thor_lacks("there is no room " + room);
-    const std::string id = procthor_room_id(static_cast<std::size_t>(place - start_.rooms.begin()));
+    const std::string id = procthor_room_ids(start_)[static_cast<std::size_t>(place - start_.rooms.begin())];
     if (what == "agent") return Json{{"agent", true}, {"room", id}};
     const auto name = names_.find(what);
     if (name == names_.end()) return thor_lacks(what + " is not in the house");

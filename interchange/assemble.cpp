@@ -63,7 +63,7 @@ Result<ImportedScene> assemble(const SourceScene& source, const Knowledge& knowl
   Scene scene;
   scene.id = source.id;
   scene.simulator = source.simulator;
-  draw_rooms(source, scene);
+  draw_rooms(source, scene, options.own_ids);
   if (std::string wrong = excess_of(scene); !wrong.empty()) return refuse(std::move(wrong));
   Draft draft = draft_of(source, std::move(scene), knowledge, facts, options.own_ids);
   if (draft.scene.rooms.empty()) return refuse("the file has no rooms, and no objects around which to draw one");

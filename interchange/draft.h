@@ -44,8 +44,9 @@ struct Draft {
   ImportReport report;
 };
 
-/// Rooms and openings of the file; drawn around the objects where it has none. Outlines are counter-clockwise.
-void draw_rooms(const SourceScene& source, Scene& scene);
+/// Rooms and openings of the file; drawn around the objects where it has none. Outlines are counter-clockwise. Rooms
+/// that the file numbers have ids of ours, "kitchen_1", without `own_ids`.
+void draw_rooms(const SourceScene& source, Scene& scene, bool own_ids = false);
 
 /// Nodes for all that can be placed, in the file's order, and the relations among them; the rest as issues. `scene` has
 /// its rooms.

@@ -8,6 +8,7 @@
 #include "core/text.h"
 #include "interchange/category_names.h"
 #include "interchange/draft.h"
+#include "interchange/own_ids.h"
 
 namespace unietp {
 namespace {
@@ -150,19 +151,37 @@ void make_openings(Scene& scene) {
   }
 }
 
+/// "kitchen_1" for each room that the file numbers, counted by type.
+std::map<std::string, std::string> our_ids(const SourceScene& source) {
+  std::map<std::string, std::string> ours;
+  std::map<std::string, int> count;
+  for (const Room& room : source.rooms) {
+    const std::string id = room.type + "_" + std::to_string(++count[room.type]);
+    if (own_id_of(room, source.simulator)) ours.emplace(room.id, id);
+  }
+  return ours;
+}
+
 }  // namespace
 
-void draw_rooms(const SourceScene& source, Scene& scene) {
+void draw_rooms(const SourceScene& source, Scene& scene, bool own_ids) {
   scene.wall_height = std::clamp(source.wall_height, 1.0, 20.0);
   scene.wall_thickness = std::clamp(source.wall_thickness, 0.005, 1.0);
+  const auto ours = own_ids ? std::map<std::string, std::string>() : our_ids(source);
+  const auto name_of_room = [&](const std::string& id) {
+    const auto found = ours.find(id);
+    return found == ours.end() ? id : found->second;
+  };
   std::set<std::string> ids{"agent"};
   for (Room room : source.rooms.empty() ? rooms_around(source) : source.rooms) {
+    room.id = name_of_room(room.id);
     if (area_of(room.polygon) < 0) std::reverse(room.polygon.begin(), room.polygon.end());
     if (room.polygon.size() >= 3 && ids.insert(room.id).second) scene.rooms.push_back(std::move(room));
   }
-  for (const Opening& opening : source.openings) {
+  for (Opening opening : source.openings) {
+    opening.room_a = name_of_room(opening.room_a), opening.room_b = name_of_room(opening.room_b);
     const bool known = find_room(scene, opening.room_a) != nullptr && find_room(scene, opening.room_b) != nullptr;
-    if (known && ids.insert(opening.id).second) scene.openings.push_back(opening);
+    if (known && ids.insert(opening.id).second) scene.openings.push_back(std::move(opening));
   }
   if (source.openings.empty()) make_openings(scene);
 }

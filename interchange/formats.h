@@ -42,8 +42,8 @@ struct ExportedScene {
 /// A house for AI2-THOR's CreateHouse, a VirtualHome environment graph, a Habitat scene instance. Deterministic.
 /// Errors: for a scene of another simulator; for a house, also without a room.
 Result<ExportedScene> write_procthor(const Scene& scene, const Knowledge& knowledge, const FormatFacts& facts);
-/// The id in a house of the room at this place among a scene's rooms: "room|2" is the first.
-std::string procthor_room_id(std::size_t room);
+/// The id in a house of each of a scene's rooms: its own in a house of ProcTHOR's, for others the next of "room|2", ….
+std::vector<std::string> procthor_room_ids(const Scene& scene);
 Result<ExportedScene> write_virtualhome(const Scene& scene, const Knowledge& knowledge, const FormatFacts& facts);
 /// The names of such a graph alone, in a fraction of the time. `scene`: of VirtualHome.
 std::map<std::string, std::string> virtualhome_names(const Scene& scene, const Knowledge& knowledge,

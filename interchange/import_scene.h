@@ -96,7 +96,7 @@ struct ImportedScene {
 /// How a file is imported.
 struct ImportOptions {
   bool settle = true;                                   // false: as the file says, without physics
-  bool own_ids = false;                                 // objects keep the ids that the simulator has for them
+  bool own_ids = false;                                 // objects and rooms keep the simulator's ids
   std::size_t most_objects = limits::kImportedObjects;  // a file with more is refused
   std::size_t most_rooms = limits::kImportedRooms;      // the same
   std::size_t most_work = limits::kMostWork;            // of physics; then everything is held in place

@@ -6,6 +6,8 @@
 namespace unietp {
 namespace {
 
+constexpr std::string_view kRoom = "room|";  // of ProcTHOR
+
 bool is_number(std::string_view text) {
   constexpr std::size_t kMostDigits = 9;
   return !text.empty() && text.size() <= kMostDigits &&
@@ -19,6 +21,12 @@ std::string handle_of(const std::string& instance) {
   std::string number = instance.substr(end + 1);
   number.insert(0, number.size() < 4 ? 4 - number.size() : 0, '0');
   return instance.substr(0, end) + "_:" + number;
+}
+
+/// The number of "plate.193" or "kitchen|2", when what is before the mark is this.
+std::optional<std::string> number_after(const std::string& id, const std::string& stem, char mark) {
+  if (!id.starts_with(stem + mark) || !is_number(std::string_view(id).substr(stem.size() + 1))) return std::nullopt;
+  return id.substr(stem.size() + 1);
 }
 
 }  // namespace
@@ -40,11 +48,8 @@ std::optional<std::string> own_id_of(const Node& node, Simulator simulator) {
   const std::string& id = node.id;
   const auto has = [&](std::string_view part) { return id.find(part) != std::string::npos; };
   switch (simulator) {
-    case Simulator::Virtualhome: {
-      const std::string stem = node.category + ".";
-      if (!id.starts_with(stem) || !is_number(std::string_view(id).substr(stem.size()))) return std::nullopt;
-      return id.substr(stem.size());
-    }
+    case Simulator::Virtualhome:
+      return number_after(id, node.category, '.');
     case Simulator::Ai2thor:
       return has("|") ? std::optional(id) : std::nullopt;
     case Simulator::Habitat:
@@ -54,6 +59,20 @@ std::optional<std::string> own_id_of(const Node& node, Simulator simulator) {
   }
   const auto dash = node.asset.rfind('-');  // "mug-ppzttc"
   return dash != std::string::npos && has("_" + node.asset.substr(dash + 1) + "_") ? std::optional(id) : std::nullopt;
+}
+
+std::string simulators_room_id(const std::string& type, const std::string& in_file, Simulator simulator) {
+  if (simulator == Simulator::Virtualhome) return is_number(in_file) ? type + "." + in_file : "";
+  if (simulator != Simulator::Ai2thor || !in_file.starts_with(kRoom)) return "";
+  const std::string number = in_file.substr(kRoom.size());
+  return is_number(number) ? type + "|" + number : "";
+}
+
+std::optional<std::string> own_id_of(const Room& room, Simulator simulator) {
+  if (simulator == Simulator::Virtualhome) return number_after(room.id, room.type, '.');
+  if (simulator != Simulator::Ai2thor) return std::nullopt;
+  const auto number = number_after(room.id, room.type, '|');
+  return number ? std::optional(std::string(kRoom) + *number) : std::nullopt;
 }
 
 }  // namespace unietp

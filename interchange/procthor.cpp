@@ -10,6 +10,7 @@
 #include "interchange/formats.h"
 #include "interchange/house_names.h"
 #include "interchange/json_fields.h"
+#include "interchange/own_ids.h"
 #include "interchange/unity.h"
 
 namespace unietp {
@@ -65,11 +66,14 @@ class HouseReader {
     const LooseFields fields(reader_, at);
     Room room;
     room.type = room_type_from_procthor(fields.text("roomType"));
-    room.id = room.type + "_" + std::to_string(++rooms_of_type_[room.type]);
     const auto outline = fields.need("floorPolygon");
     for (const Vec3& corner : points(outline)) room.polygon.push_back(from_unity(corner).head<2>());
     if (room.polygon.size() < 3 && outline) return reader_.fail(*outline, "expected three corners or more");
-    if (const auto id = fields.need("id")) room_names_.try_emplace(reader_.text(*id), room.id);
+    const auto id = fields.need("id");
+    const std::string theirs = id ? reader_.text(*id) : "", count = std::to_string(++rooms_of_type_[room.type]);
+    room.id = simulators_room_id(room.type, theirs, Simulator::Ai2thor);
+    if (room.id.empty() || room_names_.contains(theirs)) room.id = room.type + "_" + count;
+    room_names_.try_emplace(theirs, room.id);
     scene_.rooms.push_back(std::move(room));
   }
 

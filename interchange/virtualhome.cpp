@@ -11,6 +11,7 @@
 #include "interchange/floor_tiles.h"
 #include "interchange/foreign_json.h"
 #include "interchange/formats.h"
+#include "interchange/own_ids.h"
 #include "interchange/virtualhome_frame.h"
 #include "interchange/virtualhome_graph.h"
 #include "interchange/virtualhome_prefab.h"
@@ -128,8 +129,10 @@ class Importer {
     for (std::size_t i = 0; i < rooms.size(); ++i) {
       const std::string type = room_type_of_virtualhome(rooms[i]->class_name, facts_);
       const auto outline = outline_of(tiles[i]);
-      scene_.rooms.push_back(
-          {type + "_" + std::to_string(++count[type]), type, outline ? *outline : corners_of(bounds_of(tiles[i]))});
+      const std::string number = std::to_string(++count[type]);
+      std::string id = simulators_room_id(type, std::to_string(rooms[i]->id), Simulator::Virtualhome);
+      if (id.empty() || room_index_.contains(rooms[i]->id)) id = type + "_" + number;
+      scene_.rooms.push_back({std::move(id), type, outline ? *outline : corners_of(bounds_of(tiles[i]))});
       room_index_[rooms[i]->id] = i;
     }
   }

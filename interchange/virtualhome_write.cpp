@@ -51,6 +51,9 @@ class Exporter {
     for (const Node& node : scene_.nodes) {
       if (const int number = own_number(node); number > 0) own_numbers_.insert(number);
     }
+    for (const Room& room : scene_.rooms) {
+      if (const int number = own_number(room); number > 0) own_numbers_.insert(number);
+    }
     for (const Room& room : scene_.rooms) add_room(room);
     for (const Room& room : scene_.rooms) add_floor(room);
     for (const Opening& opening : scene_.openings) add_doorway(opening);
@@ -65,9 +68,10 @@ class Exporter {
     const Room* room = nullptr;
   };
 
-  /// The number of a node in the graph that the home was imported from; 0 for what was not.
-  static int own_number(const Node& node) {
-    const auto own = own_id_of(node, Simulator::Virtualhome);
+  /// The number of an object or room in the graph that the home was imported from; 0 for what was not.
+  template <class Thing>
+  static int own_number(const Thing& thing) {
+    const auto own = own_id_of(thing, Simulator::Virtualhome);
     return own ? std::stoi(*own) : 0;
   }
 
@@ -109,7 +113,7 @@ class Exporter {
       bounds.low.head<2>() = bounds.low.head<2>().cwiseMin(corner);
       bounds.high.head<2>() = bounds.high.head<2>().cwiseMax(corner);
     }
-    ids_[room.id] = add(virtualhome_room_name(room.type, facts_), "Rooms", "", bounds);
+    ids_[room.id] = add(virtualhome_room_name(room.type, facts_), "Rooms", "", bounds, own_number(room));
   }
 
   void add_floor(const Room& room) {

@@ -33,7 +33,11 @@ std::string two_decimals(double value) {
 class HouseWriter {
  public:
   HouseWriter(const Scene& scene, const Knowledge& knowledge, const FormatFacts& facts)
-      : scene_(scene), knowledge_(knowledge), facts_(facts), parts_(wall_parts(scene)) {}
+      : scene_(scene),
+        knowledge_(knowledge),
+        facts_(facts),
+        rooms_(procthor_room_ids(scene)),
+        parts_(wall_parts(scene)) {}
 
   ExportedScene write() {
     for (const Node& node : scene_.nodes) own_ids_.insert(node.id);
@@ -55,10 +59,12 @@ class HouseWriter {
  private:
   std::string wall_id(const WallPart& part, bool exterior) const {
     const Vec2 low = part.from.cwiseMin(part.to), high = part.from.cwiseMax(part.to);
-    return "wall|" + (exterior ? std::string("exterior") : std::to_string(part.room + 2)) + "|" +
-           two_decimals(low.x()) + "|" + two_decimals(low.y()) + "|" + two_decimals(high.x()) + "|" +
-           two_decimals(high.y());
+    return "wall|" + (exterior ? std::string("exterior") : number_of(part.room)) + "|" + two_decimals(low.x()) + "|" +
+           two_decimals(low.y()) + "|" + two_decimals(high.x()) + "|" + two_decimals(high.y());
   }
+
+  /// "2" of "room|2": what the ids of walls, doors and objects say of their room.
+  std::string number_of(std::size_t room) const { return rooms_[room].substr(rooms_[room].rfind('|') + 1); }
 
   Json rooms() const {
     Json all = Json::array();
@@ -69,7 +75,7 @@ class HouseWriter {
       for (auto corner = scene_.rooms[r].polygon.rbegin(); corner != scene_.rooms[r].polygon.rend(); ++corner) {
         polygon.push_back(house_point(*corner));
       }
-      all.push_back({{"id", procthor_room_id(r)},
+      all.push_back({{"id", rooms_[r]},
                      {"roomType", type},
                      {"children", Json::array()},
                      {"ceilings", Json::array()},
@@ -86,7 +92,7 @@ class HouseWriter {
       const WallPart& part = parts_[i];
       const double h = scene_.wall_height;
       Json inner{{"id", wall_id(part, false)},
-                 {"roomId", procthor_room_id(part.room)},
+                 {"roomId", rooms_[part.room]},
                  {"polygon",
                   {house_point(part.to), house_point(part.from), house_point(part.to, h), house_point(part.from, h)}}};
       if (std::find(missing_.begin(), missing_.end(), i) != missing_.end()) inner["empty"] = true;
@@ -96,7 +102,7 @@ class HouseWriter {
       if (part.behind) continue;
       all.push_back(
           {{"id", wall_id(part, true)},
-           {"roomId", procthor_room_id(part.room)},
+           {"roomId", rooms_[part.room]},
            {"polygon",
             {house_point(part.to, h), house_point(part.from, h), house_point(part.to), house_point(part.from)}},
            {"material", house_material("RedBricks 1")},
@@ -130,13 +136,13 @@ class HouseWriter {
       }
       const double along = length - wall->along;  // theirs is counted from our `to`
       const std::size_t low = std::min(*a, *b), high = std::max(*a, *b);
-      Json id = "door|" + std::to_string(low + 2) + "|" + std::to_string(high + 2);
+      Json id = "door|" + number_of(low) + "|" + number_of(high);
       const int same = ++door_ids_[id.get<std::string>()];
       if (same > 1) id = id.get<std::string>() + "|" + std::to_string(same);
       all.push_back(
           {{"id", std::move(id)},
-           {"room0", procthor_room_id(*a)},
-           {"room1", procthor_room_id(*b)},
+           {"room0", rooms_[*a]},
+           {"room1", rooms_[*b]},
            {"wall0", wall_id(part, false)},
            {"wall1", wall_id(parts_[far_side->part], false)},
            {"assetId", model.name},
@@ -271,7 +277,7 @@ class HouseWriter {
   /// The id that the object has in a house of ProcTHOR; for others a new one, as ProcTHOR makes them.
   std::string id_of(const Node& node, std::size_t room) {
     if (auto own = own_id_of(node, Simulator::Ai2thor)) return *own;
-    const std::string stem = node.category + "|" + std::to_string(room + 2) + "|";
+    const std::string stem = node.category + "|" + number_of(room) + "|";
     std::string id;
     do id = stem + std::to_string(numbers_[room]++);
     while (own_ids_.contains(id));
@@ -288,10 +294,10 @@ class HouseWriter {
     const double along = (part.to - part.from).norm() - wall->along, up = node.pose.position.z();
     const Vec3 half = model.size / 2;
     windows.push_back(
-        {{"id", "window|" + std::to_string(part.room + 2) + "|" + std::to_string(windows.size())},
+        {{"id", "window|" + number_of(part.room) + "|" + std::to_string(windows.size())},
          {"assetId", model.name},
-         {"room0", procthor_room_id(part.room)},
-         {"room1", procthor_room_id(part.room)},
+         {"room0", rooms_[part.room]},
+         {"room1", rooms_[part.room]},
          {"wall0", wall_id(part, false)},
          {"wall1", wall_id(part, true)},
          {"holePolygon",
@@ -302,6 +308,7 @@ class HouseWriter {
   const Scene& scene_;
   const Knowledge& knowledge_;
   const FormatFacts& facts_;
+  std::vector<std::string> rooms_;  // the house's ids
   std::vector<WallPart> parts_;
   std::vector<std::size_t> missing_;                // parts of walls that are not there
   std::vector<std::optional<std::size_t>> holder_;  // of each node
@@ -314,7 +321,22 @@ class HouseWriter {
 
 }  // namespace
 
-std::string procthor_room_id(std::size_t room) { return "room|" + std::to_string(room + 2); }  // theirs begin with 2
+std::vector<std::string> procthor_room_ids(const Scene& scene) {
+  std::vector<std::string> ids;
+  std::set<std::string, std::less<>> taken;
+  for (const Room& room : scene.rooms) {
+    ids.push_back(own_id_of(room, Simulator::Ai2thor).value_or(""));
+    if (!ids.back().empty()) taken.insert(ids.back());
+  }
+  int number = 2;  // theirs begin with 2
+  for (std::string& id : ids) {
+    while (id.empty()) {
+      std::string next = "room|" + std::to_string(number++);
+      if (!taken.contains(next)) id = std::move(next);
+    }
+  }
+  return ids;
+}
 
 Result<ExportedScene> write_procthor(const Scene& scene, const Knowledge& knowledge, const FormatFacts& facts) {
   const auto refuse = [&](std::string message) { return Error{Error::Kind::Usage, scene.id, {}, std::move(message)}; };

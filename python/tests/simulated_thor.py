@@ -37,6 +37,7 @@ class SimulatedThor:
         self.calls: list[Json] = []
         self.agent: Json = {}
         self.held: str | None = None
+        self.floor = "room|2"  # where there is no other place
         self.last_event = Event({})
 
     def reset(self, scene: Any = None) -> Event:
@@ -46,6 +47,7 @@ class SimulatedThor:
                 kept = {"pickupable": one["mass"] > 0, "moveable": False, **FLAGS}
                 self.objects[one["objectId"]] = {**kept, **one, "parentReceptacles": one["parentReceptacles"] or []}
             return self._event(None)
+        self.floor = scene["rooms"][0]["id"]
         for room in scene["rooms"]:
             self._add(room["id"], "Floor", {"x": 0.0, "y": 0.0, "z": 0.0}, [])
         for one in scene["objects"]:
@@ -87,7 +89,7 @@ class SimulatedThor:
         }
 
     def _add_tree(self, one: Json, parents: list[str]) -> None:
-        self._add(one["id"], one["objectType"], one["position"], parents or ["room|2"])
+        self._add(one["id"], one["objectType"], one["position"], parents or [self.floor])
         if one["objectType"] == "Sink":
             self._add(one["id"] + "___0", "SinkBasin", one["position"], [one["id"]])
         for child in one.get("children", []):
@@ -115,7 +117,7 @@ class SimulatedThor:
             if kind in ("Microwave", "Toaster"):
                 inner["temperature"] = "Hot"
                 inner["isCooked"] = True
-            if kind == "CoffeeMachine":
+            if kind == "CoffeeMachine" and not inner["isFilledWithLiquid"]:
                 inner.update(isFilledWithLiquid=True, fillLiquid="coffee", temperature="Hot")
 
     def _inside(self, name: str) -> list[Json]:
@@ -183,12 +185,14 @@ class SimulatedThor:
         self.objects[self.held]["parentReceptacles"] = [objectId]
         self.objects[self.held]["position"] = dict(place["position"])
         self.held = None
+        if place["objectType"] in ("CoffeeMachine", "Toaster") and place["isToggled"]:
+            self._run(place)  # which works on what is put into it while it is on, too
         return None
 
     def _DropHandObject(self) -> str | None:
         if self.held is None:
             return "the hand is empty"
-        self.objects[self.held]["parentReceptacles"] = ["room|2"]
+        self.objects[self.held]["parentReceptacles"] = [self.floor]
         self.objects[self.held]["position"] = dict(self.agent["position"])
         self.held = None
         return None

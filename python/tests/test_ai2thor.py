@@ -63,6 +63,20 @@ def test_a_call_that_fails_ends_the_episode_with_its_message(tasks):
     assert runner.run(task, house, SimulatedThor())["failed"]["message"] == "unknown action FlyToTheMoon"
 
 
+def test_a_coffee_machine_that_is_on_fills_an_empty_mug_that_is_put_into_it():
+    def thing(name, kind):
+        return {"id": name, "objectType": kind, "position": {"x": 1.0, "y": 0.9, "z": 1.0}}
+
+    thor = SimulatedThor()
+    thor.reset({"rooms": [{"id": "room|4"}], "objects": [thing("CoffeeMachine|4|0", "CoffeeMachine"), thing("Mug|4|1", "Mug")]})
+    assert thor.objects["Mug|4|1"]["parentReceptacles"] == ["room|4"]
+    thor.step("ToggleObjectOn", objectId="CoffeeMachine|4|0")
+    assert thor.objects["Mug|4|1"]["fillLiquid"] is None
+    for action, name in (("PickupObject", "Mug|4|1"), ("PutObject", "CoffeeMachine|4|0")):
+        assert thor.step(action, objectId=name).metadata["lastActionSuccess"]
+    assert (thor.objects["Mug|4|1"]["fillLiquid"], thor.objects["Mug|4|1"]["temperature"]) == ("coffee", "Hot")
+
+
 class Narrow(SimulatedThor):
     """The agent can stand only at the start and at one other place."""
 

@@ -23,7 +23,7 @@ const fs::path kScenes = fs::path(UNIETP_SOURCE_DIR) / "tests" / "end_to_end" / 
 struct NativeSample {
   std::string simulator, file;
   std::string form;              // that expresses the tasks
-  std::vector<std::string> ids;  // of some of the file's objects
+  std::vector<std::string> ids;  // of some of the file's objects and rooms
 };
 std::string name_of_native_sample(const ::testing::TestParamInfo<NativeSample>& info) { return info.param.simulator; }
 
@@ -32,14 +32,16 @@ Ended make_native(const std::string& scenes, const std::string& out, int count) 
                       "--splits", "atomic", "--out", out});
 }
 
-/// Ids of all objects in the homes of a data set.
+/// Ids of all objects and rooms in the homes of a data set.
 std::set<std::string> ids_in(const fs::path& dataset) {
   std::set<std::string> ids;
   for (const auto& file : fs::directory_iterator(dataset / "homes")) {
     const auto text = read_maybe_gzip(file.path());
     EXPECT_TRUE(text);
     const Json home = Json::parse(*text);
-    for (const auto& node : home["nodes"]) ids.insert(node["id"].get<std::string>());
+    for (const char* list : {"nodes", "rooms"}) {
+      for (const auto& one : home[list]) ids.insert(one["id"].get<std::string>());
+    }
   }
   return ids;
 }
@@ -143,8 +145,10 @@ TEST(Native, ModelsThatAreNamedByHashesNeedTheirTable) {
 INSTANTIATE_TEST_SUITE_P(
     EachSimulator, Native,
     ::testing::Values(
-        NativeSample{"ai2thor", "houses.procthor.jsonl", "ai2thor", {"Fridge|2|2", "Chair|2|3"}},
-        NativeSample{"virtualhome", "flat.virtualhome.json", "virtualhome", {"mug.20", "plate.21"}},
+        NativeSample{
+            "ai2thor", "houses.procthor.jsonl", "ai2thor", {"Fridge|2|2", "Chair|2|3", "kitchen|2", "bedroom|3"}},
+        NativeSample{
+            "virtualhome", "flat.virtualhome.json", "virtualhome", {"mug.20", "plate.21", "kitchen.1", "bedroom.2"}},
         NativeSample{"habitat", "apartment.replicacad.scene_instance.json", "habitat", {"frl_apartment_sofa_:0000"}},
         NativeSample{"behavior", "small.behavior.json", "behavior", {"bowl_ajzltc_0"}}),
     name_of_native_sample);
