@@ -47,13 +47,6 @@ bool is_one(std::string_view name) {
 
 constexpr std::array kUsualRooms{"Bathroom", "Bedroom", "Kitchen", "LivingRoom"};  // for a base that names none
 
-/// By its display name, or by its own where one simulator's things are called otherwise than that.
-std::string_view usual_name(const Category& category, const EverydayNames& names, English english) {
-  const bool has_capitals = std::isupper(static_cast<unsigned char>(category.name.front())) != 0;
-  const std::string_view own = has_capitals ? names.of(category.name, english) : "";
-  return own.empty() ? names.of(category.display, english) : own;
-}
-
 }  // namespace
 
 std::vector<Token> tokens_of(std::string_view text) {
@@ -195,8 +188,8 @@ NounTable::NounTable(const Knowledge& knowledge, SharedValue<EverydayNames> ever
 void NounTable::add_category(Names& made, const Category& category, std::set<std::string, std::less<>>& taken) {
   made.names[category.name] = {category.display, category.plural, category.countable, category.movable};
   for (const English one : {made.english, made.english == English::Us ? English::Gb : English::Us}) {
-    const std::string_view usual = usual_name(category, *made.everyday, one);
-    const bool again = one != made.english && usual == usual_name(category, *made.everyday, made.english);
+    const std::string_view usual = made.everyday->of(category.display, one);
+    const bool again = one != made.english && usual == made.everyday->of(category.display, made.english);
     if (usual.empty() || usual == category.display || again || !taken.emplace(usual).second) continue;
     const bool countable =  // "roll of toilet paper", "toilet roll"
         category.countable || usual.find(" of ") != usual.npos || usual.ends_with(" roll");

@@ -93,20 +93,6 @@ TEST(EverydayNames, ReportsBadRowsWithFileLineAndColumn) {
               ElementsAre(StartsWith("everyday_names.csv:2:"), StartsWith("rare_names.csv:")));
 }
 
-TEST(EverydayNames, OfOneSimulatorsThingsAreNotThoseOfAnothers) {
-  const NounTable thor(committed_knowledge(Simulator::Ai2thor), committed_names()),
-      home(committed_knowledge(Simulator::Habitat), committed_names());
-  EXPECT_EQ(thor.display("Cup")->singular, "glass");
-  EXPECT_EQ(thor.display("Cup")->plural, "glasses");
-  EXPECT_EQ(home.display("cup")->singular, "cup");
-  const auto asked = *parse_formula("test", "(exists (?a - Cup) (at-end (filled ?a wine)))", FormulaUse::Goal);
-  for (const char* text : {"Pour wine into the glass.", "Pour wine into the cup."}) {
-    const auto read = parse_instruction(text, committed_knowledge(Simulator::Ai2thor));
-    ASSERT_TRUE(read) << format(read.error());
-    EXPECT_TRUE(same_meaning(*read, asked)) << text << to_text(*read);
-  }
-}
-
 TEST(EverydayNames, OfBritonsAreCountedAsTheyCountThem) {
   const NounTable thor(committed_knowledge(Simulator::Ai2thor), committed_names(), English::Gb);
   EXPECT_EQ(thor.display("ToiletPaper")->plural, "toilet rolls");
