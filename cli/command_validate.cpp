@@ -124,8 +124,8 @@ void print_text(const ValidationReport& report, const std::optional<AuditReport>
     std::printf("%d of %zu cells of the audit are better than chance\n", audit->leaks(), audit->cells.size());
   }
   if (report.counts.constrained > 0)
-    std::printf("%d of %d goals with constraints have a plan that forgets one and does the rest\n", report.counts.tempting,
-                report.counts.constrained);
+    std::printf("%d of %d goals with constraints have a plan that forgets one and does the rest\n",
+                report.counts.tempting, report.counts.constrained);
   std::printf("%d of %d proven\n", report.counts.proven, report.counts.tasks);
 }
 
