@@ -1,5 +1,6 @@
 // Instructions a second on one core, checks included, for tasks of the whole library on one simulator.
 #include <filesystem>
+#include <stdexcept>
 
 #include <benchmark/benchmark.h>
 
@@ -26,6 +27,7 @@ const Material& material() {
     auto knowledge = *load_knowledge(database, Simulator::Ai2thor);
     std::vector<Error> errors;
     NounTable nouns(knowledge, read_everyday_names(root / "data/english", errors));
+    if (!errors.empty()) throw std::runtime_error(format(errors.front()));
     std::vector<Specification> tasks;
     for (const Template& source : load_templates(root / "templates/library").templates) {
       const auto binding = sample_binding(source, knowledge, {}, Rng(3));

@@ -262,7 +262,7 @@ class Decoys {
     return false;
   }
 
-  /// Gives a state to things of the home that the task does not speak of, each once.
+  /// Gives a state to things of the home that the task does not speak of and that no other change has touched but such.
   void give_to_others(const Given& given) {
     const State& state = given.state;
     std::vector<std::pair<int, std::string>> ids;
@@ -283,7 +283,7 @@ class Decoys {
       --tries;
       if (is_sensible(id)) {
         given_states_.insert(id);
-        give_states(id, given.all, [](const Node&) { return false; });
+        give_states(id, given.all, nullptr);
         ++restated_;
         --left;
       } else {
@@ -351,12 +351,18 @@ class Decoys {
     return id;
   }
 
-  /// What few at its place are in, it is put elsewhere for, on or in what is accepted.
+  /// What few at its place are in, it is put elsewhere for, on or in what is accepted; without `accept` it stays, and
+  /// is not given what few there are in.
   void give_states(const std::string& id, const StateSet& states, const std::function<bool(const Node&)>& accept) {
     for (const State& state : states.all()) {
       const Node before = workspace().scene().nodes[*workspace().places().find(id)];
       if (before.states.has(state) || !may_be_common(state)) continue;
       if (!editor_.set_state(id, state.predicate, state.symbol, true) || is_sensible(id)) continue;
+      if (accept == nullptr) {
+        editor_.replace(before);
+        editor_.refresh();
+        continue;
+      }
       const Node now = workspace().scene().nodes[*workspace().places().find(id)];
       const auto suits = [&](const Node& host) { return accept(host) && !is_rare_at(workspace(), now, host); };
       if (editor_.relocate(id, suits) && is_sensible(id)) continue;

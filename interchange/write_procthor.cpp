@@ -325,8 +325,9 @@ std::vector<std::string> procthor_room_ids(const Scene& scene) {
   std::vector<std::string> ids;
   std::set<std::string, std::less<>> taken;
   for (const Room& room : scene.rooms) {
-    ids.push_back(own_id_of(room, Simulator::Ai2thor).value_or(""));
-    if (!ids.back().empty()) taken.insert(ids.back());
+    std::string own = own_id_of(room, Simulator::Ai2thor).value_or("");
+    if (!own.empty() && !taken.insert(own).second) own.clear();  // an edited scene may say one number twice
+    ids.push_back(std::move(own));
   }
   int number = 2;  // theirs begin with 2
   for (std::string& id : ids) {

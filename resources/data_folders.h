@@ -20,7 +20,7 @@ struct DataFolders {
   std::filesystem::path layouts() const { return root / "data" / "layouts"; }          // recipes of homes
   std::filesystem::path bddl() const { return root / "data" / "bddl"; }                // exports/bddl.h
   std::filesystem::path scene_files() const { return root / "data" / "scene_files"; }  // interchange/format_facts.h
-  std::filesystem::path english() const { return root / "data" / "english"; }          // report/word_figures.h
+  std::filesystem::path english() const { return root / "data" / "english"; }  // names, and report/word_figures.h
   std::filesystem::path benchmarks() const {
     return root / "data" / "benchmarks.csv";
   }  // resources/frozen_benchmarks.h

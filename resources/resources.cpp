@@ -218,8 +218,8 @@ ResourcesReading load_resources(const DataFolders& folders) {
 
 Result<std::string> knowledge_digest(const DataFolders& folders) {
   std::string listing;
-  std::vector<fs::path> covered{folders.tables(), folders.sense(), folders.profiles(), folders.layouts(),
-                                folders.library()};
+  std::vector<fs::path> covered{folders.tables(),  folders.sense(),   folders.profiles(),
+                                folders.layouts(), folders.english(), folders.library()};
   for (const auto& folder : {folders.extended(), folders.scene_files(), folders.bddl()}) {
     if (std::error_code code; fs::exists(folder, code)) covered.push_back(folder);
   }

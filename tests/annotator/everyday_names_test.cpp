@@ -9,7 +9,6 @@
 #include <string>
 
 #include "annotator/instruction.h"
-#include "annotator/meaning.h"
 #include "annotator/noun_table.h"
 #include "annotator/words_for_writing.h"
 #include "core/files.h"
