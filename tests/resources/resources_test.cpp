@@ -1,5 +1,7 @@
 #include "resources/resources.h"
 
+#include <set>
+
 #include <gtest/gtest.h>
 
 #include "core/files.h"
@@ -21,6 +23,27 @@ TEST(Resources, TheCommittedDataLoadsWithoutAnError) {
   EXPECT_EQ(reading.resources.recipes.size(), 4U);
   EXPECT_FALSE(reading.resources.templates.empty());
   EXPECT_EQ(reading.resources.digest.size(), 64U);
+}
+
+/// What decides a text is knowledge, too: a run is not continued, and a data set not proven, with other names.
+TEST(Resources, TheDigestSeesNamesPhrasesAndTemplates) {
+  const ScratchFolder folder;
+  for (const char* part : {"data", "templates"}) {
+    std::filesystem::copy(std::filesystem::path(UNIETP_SOURCE_DIR) / part, folder.path() / part,
+                          std::filesystem::copy_options::recursive);
+  }
+  const DataFolders copied{folder.path(), folder.path() / "cache"};
+  const auto before = knowledge_digest(copied);
+  ASSERT_TRUE(before) << format(before.error());
+  EXPECT_EQ(*before, *knowledge_digest(own_folders()));
+  std::set<std::string> digests{*before};
+  for (const char* file : {"data/english/everyday_names.csv", "data/english/rare_names.csv", "data/sense/phrases.csv",
+                           "templates/library/atomic/cook-one.template"}) {
+    const auto text = read_file(folder.path() / file);
+    ASSERT_TRUE(text);
+    ASSERT_TRUE(write_file(folder.path() / file, *text + "\n"));
+    EXPECT_TRUE(digests.insert(*knowledge_digest(copied)).second) << file;
+  }
 }
 
 TEST(Resources, EverySourceOfAFactHasALicence) {
