@@ -10,20 +10,20 @@ namespace unietp {
 /// Changes the home in ways that the task has no use for, so that it says little about a thing of the goal that the
 /// start added or moved it, or that the home has several.
 ///
-/// For each category of the goal of which things were added, things of kDecoys other categories are added to the same rooms: categories that people keep there, those first of
-/// which the home has as many as it had of the goal's, of these such as can be in the states of the first thing, with
-/// models of the simulator where that has some, and slices for slices. Each is on or in the same kind of furniture as
-/// the thing that it is like, if it is kept there and finds a place, and in its states, as far as it can be. Of a
-/// category of which the home has several and nothing was added, kDecoys others that it has once less come first to be
-/// given one more, in any room. For each thing of the goal that was moved, kMovedDecoys others of the home are moved
-/// into its room, first those that are kept there about as often; for each state that it was given, kRestatedDecoys
-/// others of the home are given it and its other states as far as they can be, first those that share these, at most
-/// fifteen in all, if such things are in it at such places.
+/// For each category of the goal of which things were added, things of kDecoys other categories are added to the same
+/// rooms: categories that people keep there, those first of which the home has as many as it had of the goal's, of
+/// these such as can be in the states of the first thing, with models of the simulator where that has some, and slices
+/// for slices. Each is on or in the same kind of furniture as the thing that it is like, if it is kept there and finds
+/// a place, and in its states, as far as it can be. Of a category of which the home has several and nothing was added,
+/// kDecoys others that it has once less come first to be given one more, in any room. For each thing of the goal that
+/// was moved, kMovedDecoys others of the home are moved into its room, first those that are kept there about as often;
+/// for each state that it was given, kRestatedDecoys others of the home are given it and its other states as far as
+/// they can be, first those that share these, at most fifteen in all, if such things are in it at such places.
 ///
 /// All are placed as SceneEditor places things, not where the goal puts something, nor in one place, drawn among the
-/// usual ones of their category, that a task for them could have named. Nothing of a category that the task speaks of is added or moved,
-/// and nothing is added that its words could mean; nothing stays where it would be senseless. Deterministic. How many
-/// things were added, moved or given a state.
+/// usual ones of their category, that a task for them could have named. Nothing of a category that the task speaks of
+/// is added or moved, and nothing is added that its words could mean; nothing stays where it would be senseless.
+/// Deterministic. How many things were added, moved or given a state.
 int add_decoys(SceneEditor& editor, const Specification& specification, const Home& home, Rng rng);
 
 /// Categories for each one of the goal that was added to or that the home has several of.
