@@ -105,7 +105,7 @@ class Overlay {
       return true;
     };
     if (word == "rooms") return words(c.rooms, room_types());
-    if (word == "colours") return words(c.colours, {});
+    if (word == "colours") return words(c.colors, {});
     if (word == "materials") return words(c.materials, {});
     if (word == "countable") {
       const auto flag = flag_in(value);

@@ -68,7 +68,7 @@ void add_properties(Collector& into, const Category& c) {
   into.add("size", size_text(c.size), c.size_source);
   into.add("mass", number_text(c.mass), c.mass_source);
   into.add_unless_empty("rooms", join(c.rooms, "|"), c.source);
-  into.add_unless_empty("colours", join(c.colours, "|"), c.source);
+  into.add_unless_empty("colours", join(c.colors, "|"), c.source);
   into.add_unless_empty("materials", join(c.materials, "|"), c.source);
 }
 

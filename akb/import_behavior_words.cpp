@@ -224,7 +224,7 @@ Word Words::word(const std::string& name) const {
   const auto list = [](const std::string& text) {
     return text.empty() ? std::vector<std::string>{} : split(text, '|');
   };
-  c.colours = list(cell(name, "colours"));
+  c.colors = list(cell(name, "colours"));
   c.materials = list(cell(name, "materials"));
   return word;
 }

@@ -18,7 +18,7 @@ constexpr double kSizeFactor = 1.4, kMassFactor = 3;
 constexpr double kThinnestModel_m = 0.001, kLongestModel_m = 20;  // of a model's box: a sheet of paper is flat upstream
 
 /// To millimeters, so that files stay short.
-Vec3 millimetres(const Vec3& v) {
+Vec3 millimeters(const Vec3& v) {
   return {std::round(v.x() * 1000) / 1000, std::round(v.y() * 1000) / 1000, std::round(v.z() * 1000) / 1000};
 }
 
@@ -75,9 +75,9 @@ Vec3 median(const std::vector<Vec3>& values) {
 }
 
 Vec3 middle_box(const std::vector<Vec3>& boxes) {
-  const Vec3 centre = median(boxes);
+  const Vec3 center = median(boxes);
   const auto distance = [&](const Vec3& box) {
-    const Vec3 ratio = box.cwiseQuotient(centre);
+    const Vec3 ratio = box.cwiseQuotient(center);
     return std::max(ratio.maxCoeff(), 1 / ratio.minCoeff());
   };
   return *std::min_element(boxes.begin(), boxes.end(),
@@ -135,7 +135,7 @@ void TableBuilder::add(const RawCategory& raw) {
     const bool as_it_is = within(*raw.extents, c.size, 1 / kSizeFactor, kSizeFactor);
     const Vec3 laid = as_it_is ? *raw.extents : laid_like(*raw.extents, c.size);
     if (within(laid, c.size, 1 / kSizeFactor, kSizeFactor)) {
-      c.size = millimetres(laid);
+      c.size = millimeters(laid);
       c.size_source = {raw.extents_source, 0.9};
     }
   }
@@ -190,7 +190,7 @@ void TableBuilder::afford_by_archetype() {
 void TableBuilder::model(Asset asset) {
   const bool box = asset.size.minCoeff() >= 0 && asset.size.maxCoeff() > 0 && asset.size.maxCoeff() <= kLongestModel_m;
   if (!box || !categories_.contains(asset.category)) return;
-  asset.size = millimetres(asset.size).cwiseMax(kThinnestModel_m);
+  asset.size = millimeters(asset.size).cwiseMax(kThinnestModel_m);
   assets_.try_emplace(asset.name, std::move(asset));
 }
 

@@ -108,7 +108,7 @@ class TableBuilder {
   void drop_unfit_placements();
   void drop_all_but_best(bool beside);
   int room_beside(const Placement& p) const;
-  void normalise();
+  void normalize();
   void add_aliases();
   void add_aliases_of(const std::filesystem::path& path);
   void drop_ambiguous_aliases();

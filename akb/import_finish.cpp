@@ -140,7 +140,7 @@ Result<Tables> TableBuilder::finish() {
   if (!errors_.empty()) return errors_.front();
   drop_ambiguous_aliases();
   drop_unfit();
-  normalise();
+  normalize();
   Tables tables;
   for (auto& [key, row] : categories_) tables.categories.push_back(std::move(row));
   for (auto& [key, row] : affordances_) tables.affordances.push_back(std::move(row));

@@ -167,7 +167,7 @@ void TableBuilder::drop_unfit() {
   });
 }
 
-void TableBuilder::normalise() {
+void TableBuilder::normalize() {
   std::map<std::string, double> sum;
   for (const auto& [key, p] : placements_) sum[share_of(p)] += p.likelihood;
   for (auto& [key, p] : placements_) {

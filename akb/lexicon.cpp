@@ -39,7 +39,7 @@ void read_words(const std::filesystem::path& path, const std::map<std::string, s
     c.size = {row.number("width", 0, 20, false), row.number("depth", 0, 20, false), row.number("height", 0, 20, false)};
     c.mass = row.number("mass", 0, 2000, false);
     c.rooms = row.all_of("rooms", room_types(), "room type");
-    c.colours = row.list("colours");
+    c.colors = row.list("colours");
     c.materials = row.list("materials");
     word.kind = row.required("kind");
     if (const auto usual = kind_rooms.find(word.kind); c.rooms.empty() && usual != kind_rooms.end()) {

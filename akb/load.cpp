@@ -120,7 +120,7 @@ Knowledge read_all(SqliteFile& file, Simulator simulator) {
     c.size = from.size();
     c.mass = from.number();
     c.rooms = from.items();
-    c.colours = from.items();
+    c.colors = from.items();
     c.materials = from.items();
     c.kinds = from.items();
     c.source = from.source();

@@ -71,26 +71,26 @@ std::vector<std::filesystem::path> tables_in(const std::filesystem::path& folder
 
 }  // namespace
 
-std::vector<Licence> read_licences(const std::filesystem::path& file, std::vector<Error>& errors) {
+std::vector<License> read_licenses(const std::filesystem::path& file, std::vector<Error>& errors) {
   const auto text = read_file(file);
   if (!text) {
     errors.push_back(text.error());
     return {};
   }
-  std::vector<Licence> licences;
+  std::vector<License> licenses;
   RowReader row(file.string(), *text, {"source", "origin", "licence"}, errors);
   for (const auto& cells : row.rows()) {
     row.at(cells);
-    Licence licence{row.required("source"), row.required("origin"), row.required("licence")};
-    if (row.sound()) licences.push_back(std::move(licence));
+    License license{row.required("source"), row.required("origin"), row.required("licence")};
+    if (row.sound()) licenses.push_back(std::move(license));
   }
-  return licences;
+  return licenses;
 }
 
-std::optional<Licence> licence_of(const std::vector<Licence>& licences, std::string_view source) {
-  std::optional<Licence> best;
-  for (const auto& licence : licences) {
-    if (source.starts_with(licence.prefix) && (!best || licence.prefix.size() > best->prefix.size())) best = licence;
+std::optional<License> license_of(const std::vector<License>& licenses, std::string_view source) {
+  std::optional<License> best;
+  for (const auto& license : licenses) {
+    if (source.starts_with(license.prefix) && (!best || license.prefix.size() > best->prefix.size())) best = license;
   }
   return best;
 }

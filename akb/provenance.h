@@ -11,14 +11,14 @@
 namespace unietp {
 
 /// Where a source's facts come from and on what terms they are used.
-struct Licence {
+struct License {
   std::string prefix;  // a source begins with it
-  std::string origin, licence;
+  std::string origin, license;
 };
-/// Reads data/licences.csv (source, origin, license). Errors appended: Io, Parse, Schema.
-std::vector<Licence> read_licences(const std::filesystem::path& file, std::vector<Error>& errors);
+/// Reads data/licenses.csv (source, origin, license). Errors appended: Io, Parse, Schema.
+std::vector<License> read_licenses(const std::filesystem::path& file, std::vector<Error>& errors);
 /// The longest prefix of a source, or nothing when no row allows it.
-std::optional<Licence> licence_of(const std::vector<Licence>& licences, std::string_view source);
+std::optional<License> license_of(const std::vector<License>& licenses, std::string_view source);
 
 /// What a rule of `derived:<rule>` says, in words.
 struct RuleMeaning {

@@ -34,12 +34,12 @@ struct Category {
   bool countable = true;  // false: "some bread", not "a bread"
   bool movable = false;
   Archetype archetype = Archetype::Box;
-  Vec3 size = Vec3::Zero();                     // typical full extents, meters: width x, depth y, height z
-  double mass = 0;                              // kilograms
-  std::vector<std::string> rooms;               // usual room types, most usual first
-  std::vector<std::string> colours, materials;  // what instances come in
-  std::vector<std::string> kinds;               // of data/sense/kinds.csv, narrowest first; empty when it has none
-  Source source;                                // of the row as a whole
+  Vec3 size = Vec3::Zero();                    // typical full extents, meters: width x, depth y, height z
+  double mass = 0;                             // kilograms
+  std::vector<std::string> rooms;              // usual room types, most usual first
+  std::vector<std::string> colors, materials;  // what instances come in
+  std::vector<std::string> kinds;              // of data/sense/kinds.csv, narrowest first; empty when it has none
+  Source source;                               // of the row as a whole
   Source size_source, mass_source;
   Source synset_source;  // that of the row, but for a completed one
 };

@@ -54,7 +54,7 @@ std::vector<Category> read_categories(RowReader& row) {
               row.number("height", 0, limits::kCategory_m, false)};
     c.mass = row.number("mass", 0, limits::kCategory_kg, false);
     c.rooms = row.all_of("rooms", room_types(), "room type");
-    c.colours = row.list("colours");
+    c.colors = row.list("colours");
     c.materials = row.list("materials");
     c.source = c.synset_source = row.source("source", "confidence");
     c.size_source = row.source("size_source", "size_confidence");

@@ -29,7 +29,7 @@ void each_text(const Tables& tables, const Use& use) {
   const auto source = [&](const Source& s) { use(s.source); };
   for (const auto& c : tables.categories) {
     use(c.name), use(std::string(name_of(c.archetype)));
-    for (const auto* list : {&c.rooms, &c.colours, &c.materials, &c.kinds}) use(join(*list, "|"));
+    for (const auto* list : {&c.rooms, &c.colors, &c.materials, &c.kinds}) use(join(*list, "|"));
     for (const auto* s : {&c.source, &c.size_source, &c.mass_source, &c.synset_source}) source(*s);
   }
   for (const auto& f : tables.affordances) use(f.affordance), source(f.source);
@@ -76,7 +76,7 @@ void insert_categories(SqliteFile& file, Int simulator, const Tables& tables, Nu
   for (const auto& c : tables.categories) {
     insert(statement, simulator, n.text(c.name), Text(c.display), Text(c.plural), Text(c.synset), Int{c.countable},
            Int{c.movable}, n.text(name_of(c.archetype)), c.size.x(), c.size.y(), c.size.z(), c.mass, n.text(c.rooms),
-           n.text(c.colours), n.text(c.materials), n.text(c.kinds), n.evidence(c.source), n.evidence(c.size_source),
+           n.text(c.colors), n.text(c.materials), n.text(c.kinds), n.evidence(c.source), n.evidence(c.size_source),
            n.evidence(c.mass_source), n.evidence(c.synset_source));
   }
 }

@@ -24,7 +24,7 @@ std::vector<std::string> fields(const Category& c) {
           number_text(c.size.z()),
           number_text(c.mass),
           join(c.rooms, "|"),
-          join(c.colours, "|"),
+          join(c.colors, "|"),
           join(c.materials, "|"),
           c.source.source,
           number_text(c.source.confidence),

@@ -5,7 +5,7 @@
 #include <cctype>
 
 #include "annotator/phrase_plan.h"
-#include "annotator/realise.h"
+#include "annotator/realize.h"
 #include "annotator/words_for_writing.h"
 #include "core/text.h"
 #include "templates/phrasing.h"

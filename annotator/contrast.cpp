@@ -45,8 +45,8 @@ bool may_interrupt(const std::vector<Token>& tokens, std::size_t thing, std::siz
 }
 
 std::optional<std::string> word_of(const Node& node, const Formula& test, const NounTable& lexicon) {
-  if (test.predicate == Predicate::Colour)
-    return lexicon.is_colour(node.colour) ? std::optional(node.colour) : std::nullopt;
+  if (test.predicate == Predicate::Color)
+    return lexicon.is_color(node.color) ? std::optional(node.color) : std::nullopt;
   if (test.predicate == Predicate::Material) {
     if (!lexicon.is_material(node.material)) return std::nullopt;
     return node.material == "wood" ? "wooden" : node.material;
@@ -59,7 +59,7 @@ std::optional<std::string> word_of(const Node& node, const Formula& test, const 
 
 /// The word that describes the thing itself.
 std::string own_word(const Formula& test) {
-  if (test.predicate != Predicate::Colour && test.predicate != Predicate::Material) return state_word(test.predicate);
+  if (test.predicate != Predicate::Color && test.predicate != Predicate::Material) return state_word(test.predicate);
   return test.predicate == Predicate::Material && test.terms[1].name == "wood" ? "wooden" : test.terms[1].name;
 }
 

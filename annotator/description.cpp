@@ -20,7 +20,7 @@ bool is_direct(const Complement& modifier, Place place) {
 int place_before_noun(const Complement& modifier) {
   using P = Predicate;
   if (modifier.predicate == P::Size) return 0;
-  if (modifier.predicate == P::Colour) return 2;
+  if (modifier.predicate == P::Color) return 2;
   if (modifier.predicate == P::Material) return 3;
   return modifier.object.empty() ? 1 : 4;
 }
@@ -31,7 +31,7 @@ int place_before_noun(const Complement& modifier) {
 std::string Naming::adjective(const Complement& modifier, bool two) {
   using P = Predicate;
   if (modifier.negated || !modifier.object.empty()) return "";
-  if (modifier.predicate == P::Colour) return lexicon_.is_colour(modifier.symbol) ? modifier.symbol : "";
+  if (modifier.predicate == P::Color) return lexicon_.is_color(modifier.symbol) ? modifier.symbol : "";
   if (modifier.predicate == P::Material) {
     if (!lexicon_.is_material(modifier.symbol)) return "";
     return modifier.symbol == "wood" ? "wooden" : modifier.symbol;
@@ -118,7 +118,7 @@ std::optional<Naming::Description> Naming::describe(const NounPhrase& said, Plac
   }
   description.short_is = everyday() && !description.is.starts_with("not ") && rng_.chance(0.8);
   const bool lasting = std::any_of(rest.begin(), rest.end(), [](const Complement* one) {
-    return one->predicate == Predicate::Colour || one->predicate == Predicate::Material ||
+    return one->predicate == Predicate::Color || one->predicate == Predicate::Material ||
            one->predicate == Predicate::Size;
   });
   // "The mug that is in a sink is on a table" needs it.

@@ -18,7 +18,7 @@
 #include "annotator/phenomena.h"
 #include "annotator/phrasing_sets.h"
 #include "annotator/plan.h"
-#include "annotator/realise.h"
+#include "annotator/realize.h"
 #include "annotator/style.h"
 #include "annotator/word_check.h"
 #include "core/text.h"
@@ -267,7 +267,7 @@ std::optional<std::string> worded(const Plan& plan, const NounTable& lexicon, St
   const Wording wording{
       style, set == Phrasings::Everyday, judge.alone(), judge.there(), judge.opened(), judge.unique(), pronouns};
   for (std::uint64_t i = 0; i < kWordings; ++i) {
-    auto text = realise(plan, lexicon, wording, rng.fork("words", i));
+    auto text = realize(plan, lexicon, wording, rng.fork("words", i));
     if (!text || set == Phrasings::Everyday || set == Phrasings::All || phrasings_of(*text, lexicon) == set)
       return text;
   }

@@ -71,9 +71,9 @@ void other_things(const std::vector<Token>& tokens, std::size_t at, const Knowle
 std::vector<Change> changes_of(const std::vector<Token>& tokens, const Knowledge& knowledge, const NounTable& nouns,
                                const Scene& home) {
   const auto there = categories_in(home);
-  std::vector<std::string> colours;
+  std::vector<std::string> colors;
   for (const Node& node : home.nodes)
-    if (nouns.is_colour(node.colour)) colours.push_back(node.colour);
+    if (nouns.is_color(node.color)) colors.push_back(node.color);
   std::vector<Change> changes;
   for (std::size_t i = 0; i < tokens.size(); ++i) {
     const std::string& word = tokens[i].text;
@@ -81,8 +81,8 @@ std::vector<Change> changes_of(const std::vector<Token>& tokens, const Knowledge
       if (word == one) changes.push_back({i, std::string(other)});
       if (word == other) changes.push_back({i, std::string(one)});
     }
-    for (const std::string& colour : colours)
-      if (nouns.is_colour(word) && word != colour) changes.push_back({i, colour});
+    for (const std::string& color : colors)
+      if (nouns.is_color(word) && word != color) changes.push_back({i, color});
     other_things(tokens, i, knowledge, nouns, there, changes);
   }
   return changes;

@@ -182,8 +182,8 @@ std::optional<std::string> Naming::complement(const Complement& said, Place plac
       return text + "covered with " + symbol;
     case Predicate::Material:
       return text + "made of " + symbol;
-    case Predicate::Colour:
-      return text + (lexicon_.is_colour(said.symbol) ? symbol : "of the colour " + symbol);
+    case Predicate::Color:
+      return text + (lexicon_.is_color(said.symbol) ? symbol : "of the colour " + symbol);
     case Predicate::Size:
       return text + "of the size " + symbol;
     default:

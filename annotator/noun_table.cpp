@@ -156,13 +156,13 @@ NounTable::NounTable(const Knowledge& knowledge, SharedValue<EverydayNames> ever
   Names made;
   made.english = english;
   made.everyday = std::move(everyday);
-  std::set<std::string> rooms, colours, materials;
+  std::set<std::string> rooms, colors, materials;
   std::set<std::string, std::less<>> taken;
   for (const Category& category : knowledge.categories()) taken.insert(category.display);
   for (const Category& category : knowledge.categories()) {
     add_category(made, category, taken);
     rooms.insert(category.rooms.begin(), category.rooms.end());
-    colours.insert(category.colours.begin(), category.colours.end());
+    colors.insert(category.colors.begin(), category.colors.end());
     materials.insert(category.materials.begin(), category.materials.end());
   }
   for (const Alias& alias : knowledge.aliases()) {
@@ -178,7 +178,7 @@ NounTable::NounTable(const Knowledge& knowledge, SharedValue<EverydayNames> ever
   if (rooms.empty()) rooms.insert(kUsualRooms.begin(), kUsualRooms.end());
   for (const std::string& room : rooms) add_room(made, room);
   add_general_nouns(made);
-  made.colours.assign(colours.begin(), colours.end());
+  made.colors.assign(colors.begin(), colors.end());
   made.materials.assign(materials.begin(), materials.end());
   fixed_ = std::make_shared<const Names>(std::move(made));
 }
@@ -368,8 +368,8 @@ bool NounTable::is_room_type(const std::string& category) const {
   return std::binary_search(fixed_->room_types.begin(), fixed_->room_types.end(), category);
 }
 
-bool NounTable::is_colour(const std::string& word) const {
-  return std::binary_search(fixed_->colours.begin(), fixed_->colours.end(), word);
+bool NounTable::is_color(const std::string& word) const {
+  return std::binary_search(fixed_->colors.begin(), fixed_->colors.end(), word);
 }
 
 bool NounTable::is_material(const std::string& word) const {
@@ -404,7 +404,7 @@ NounTable::Reading NounTable::noun_at(const std::vector<Token>& tokens, std::siz
   const auto word = [&](std::size_t ahead) -> std::string_view {
     return at + ahead < tokens.size() ? std::string_view(tokens[at + ahead].text) : "";
   };
-  const bool quality = plain.length == 1 && (is_colour(tokens[at].text) || is_material(tokens[at].text));
+  const bool quality = plain.length == 1 && (is_color(tokens[at].text) || is_material(tokens[at].text));
   if (quality && noun_at(tokens, at + 1).length > 0) return {};
   const std::size_t fresh = word(0) == "freshly" && word(1) == "cut" ? 2 : 0;
   const std::string_view head = word(fresh);

@@ -89,7 +89,7 @@ class NounTable {
   /// What it was made with.
   const SharedValue<EverydayNames>& everyday() const { return fixed_->everyday; }
   bool is_room_type(const std::string& category) const;  // by the knowledge base, as the two below
-  bool is_colour(const std::string& word) const;
+  bool is_color(const std::string& word) const;
   bool is_material(const std::string& word) const;
   /// Whether some category is called exactly this.
   bool is_name(const std::string& text) const;
@@ -140,7 +140,7 @@ class NounTable {
     SharedValue<EverydayNames> everyday;
     std::map<std::string, Name, std::less<>> names;
     std::map<std::string, std::vector<Name>, std::less<>> synonyms;
-    std::vector<std::string> room_types, colours, materials;  // sorted
+    std::vector<std::string> room_types, colors, materials;  // sorted
     std::map<std::string, std::vector<std::pair<std::vector<std::string>, std::string>>, std::less<>> sentences;
     Index nouns, rooms;
   };

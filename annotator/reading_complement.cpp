@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, 3> kSmall{"small", "smaller", "smallest"}
 std::optional<Complement> PhraseReader::adjective() const {
   for (const PredicatePhrase& state : state_phrases())
     if (peek() == state.words) return Complement{state.predicate, false, "", {}};
-  if (lexicon_.is_colour(peek())) return Complement{P::Colour, false, peek(), {}};
+  if (lexicon_.is_color(peek())) return Complement{P::Color, false, peek(), {}};
   if (peek() == "wooden") return Complement{P::Material, false, "wood", {}};
   if (lexicon_.is_material(peek())) return Complement{P::Material, false, peek(), {}};
   if (std::find(kLarge.begin(), kLarge.end(), peek()) != kLarge.end()) return Complement{P::Size, false, "large", {}};
@@ -36,7 +36,7 @@ bool PhraseReader::complement_comes() const {
   if (comes("there , too")) return true;
   if (lexicon_.where_at(tokens_, at_).length > 0) return true;
   if (on_or_off()) return true;
-  if (peek() == "not" || lexicon_.is_colour(peek())) return true;
+  if (peek() == "not" || lexicon_.is_color(peek())) return true;
   for (const PredicatePhrase& words : state_phrases())
     if (comes(words.words)) return true;
   for (const PredicatePhrase& words : preposition_phrases())
@@ -101,7 +101,7 @@ Complement PhraseReader::complement() {
     if (accept(words.words)) return {words.predicate, false, "", {}};
   for (const PredicatePhrase& words : symbol_phrases())
     if (accept(words.words)) return {words.predicate, false, symbol(), {}};
-  if (lexicon_.is_colour(peek())) return {P::Colour, false, tokens_[at_++].text, {}};
+  if (lexicon_.is_color(peek())) return {P::Color, false, tokens_[at_++].text, {}};
   if (comes("on")) {
     const std::size_t here = at_++;
     if (auto room = room_floor()) return {P::OnFloor, false, "", {*std::move(room)}};

@@ -195,7 +195,7 @@ class Check {
       if (!wood && !size && !says(words_, replace_all(symbol, "_", " "))) lacks("'" + symbol + "'");
     }
     for (const Token& word : text_.plain)
-      if (nouns_.is_colour(word.text) && !in_a_symbol(word.text) && !text_.of_names.contains(word.text))
+      if (nouns_.is_color(word.text) && !in_a_symbol(word.text) && !text_.of_names.contains(word.text))
         exceeds("the colour '" + word.text + "'");
   }
 

@@ -62,7 +62,7 @@ constexpr std::array<ReadingRow, kPredicateCount> kReadingRows{{
     {P::Filled, "", "", "filled with", "", "fill full pour into. contain with", "fill. filled."},
     {P::Covered, "", "", "covered with|covered in", "", "cover spread smear coat sprinkl wip",
      "cover. covered. spread. sprinkle."},
-    {P::Colour, "", "", "of the colour", "", "", ""},
+    {P::Color, "", "", "of the colour", "", "", ""},
     {P::Material, "", "", "made of", "", "", ""},
     {P::Size, "", "", "of the size", "", "larg big small tini tiny littl size",
      "larger. largest. bigger. biggest. smaller. smallest."},

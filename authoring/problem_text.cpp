@@ -21,8 +21,8 @@ std::string printable(std::string_view text) {
   return out;
 }
 
-std::string coloured(const std::string& text, const char* code, bool colour) {
-  return colour ? std::string("\033[") + code + "m" + text + "\033[0m" : text;
+std::string colored(const std::string& text, const char* code, bool color) {
+  return color ? std::string("\033[") + code + "m" + text + "\033[0m" : text;
 }
 
 }  // namespace
@@ -38,14 +38,14 @@ std::string_view line_of(std::string_view text, int number) {
   return text;
 }
 
-std::string problem_text(const LintProblem& problem, std::string_view source, bool colour) {
+std::string problem_text(const LintProblem& problem, std::string_view source, bool color) {
   const char* code = problem.warning ? "33" : "31";
   auto message = printable(format(problem.error));
   if (problem.warning) message = replace_all(message, "schema error: ", "warning: ");
   for (const auto* word : {"parse error:", "schema error:", "warning:"}) {
     const auto at = message.find(word);
     if (at == std::string::npos) continue;
-    message.replace(at, std::string_view(word).size(), coloured(word, code, colour));
+    message.replace(at, std::string_view(word).size(), colored(word, code, color));
     break;
   }
   const auto [line, column] = problem.error.pos;
@@ -74,7 +74,7 @@ std::string problem_text(const LintProblem& problem, std::string_view source, bo
   const std::string margin(number.size() < 5 ? 5 - number.size() : 0, ' ');
   return message + "\n" + margin + number + " | " + std::string(front) + printable(shown) + std::string(back) + "\n" +
          std::string(margin.size() + number.size(), ' ') + " | " +
-         std::string(front.size() + static_cast<std::size_t>(columns), ' ') + coloured("^", code, colour) + "\n";
+         std::string(front.size() + static_cast<std::size_t>(columns), ' ') + colored("^", code, color) + "\n";
 }
 
 }  // namespace unietp

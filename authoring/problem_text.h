@@ -21,8 +21,8 @@ struct LintProblem {
 ///        |          ^
 ///
 /// Only the message when the position is not in `source`. A long line is cut around the position; unprintable bytes
-/// become dots. With `colour` the severity and the caret are colored for a terminal.
-std::string problem_text(const LintProblem& problem, std::string_view source, bool colour);
+/// become dots. With `color` the severity and the caret are colored for a terminal.
+std::string problem_text(const LintProblem& problem, std::string_view source, bool color);
 
 /// Line `number` (from 1) of a text without its end; "" when there is none.
 std::string_view line_of(std::string_view text, int number);

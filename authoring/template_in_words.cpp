@@ -35,14 +35,14 @@ Knowledge of_placeholders(const Template& source) {
     if (stands_for(source.parameters[i], "room")) {
       spare.rooms.push_back(name);
     } else if (stands_for(source.parameters[i], "colour")) {
-      spare.colours.push_back(name);
+      spare.colors.push_back(name);
     } else if (stands_for(source.parameters[i], "material")) {
       spare.materials.push_back(name);
     } else {
       auto category = spare;
       category.name = category.display = name;
       category.plural = name + "s";
-      category.rooms = category.colours = category.materials = {};
+      category.rooms = category.colors = category.materials = {};
       category.movable = true;
       categories.push_back(std::move(category));
     }

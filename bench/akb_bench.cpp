@@ -58,7 +58,7 @@ Tables invented(const Size& size, Rng rng) {
     c.size = {0.1 + rng.unit(), 0.1 + rng.unit(), 0.1 + rng.unit()};
     c.mass = 0.1 + rng.unit();
     c.rooms = {"kitchen", "living_room"};
-    c.colours = {"red", "green", "blue"};
+    c.colors = {"red", "green", "blue"};
     c.materials = {"wood"};
     c.source = source(), c.size_source = source(), c.mass_source = source();
     tables.categories.push_back(std::move(c));

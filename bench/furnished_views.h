@@ -40,7 +40,7 @@ inline FurnishedViews furnished_views(Simulator simulator, std::size_t homes, st
       const NavigationGrid::Cell cell{static_cast<int>(rng.below(static_cast<std::uint64_t>(grid.width()))),
                                       static_cast<int>(rng.below(static_cast<std::uint64_t>(grid.height())))};
       if (!grid.free(cell)) continue;
-      home->agent.position = grid.centre(cell);
+      home->agent.position = grid.center(cell);
       home->agent.yaw = 6.28 * rng.unit();
       home->agent.pitch = 0.5 * rng.unit();
       seen.scenes.push_back(*home);

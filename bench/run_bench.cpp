@@ -35,7 +35,7 @@ std::optional<Error> add_run(const RunConfiguration& configuration, const Resour
   const auto folder = std::filesystem::temp_directory_path() / ("unietp-run-bench-" + std::to_string(::getpid()));
   RunOptions options;
   options.out = folder / "set";
-  options.licences = std::filesystem::path(UNIETP_SOURCE_DIR) / "data/licences.csv";
+  options.licenses = std::filesystem::path(UNIETP_SOURCE_DIR) / "data/licences.csv";
   options.costs = &spent.costs;
   const auto clock = std::chrono::steady_clock::now();
   const double start = processor_seconds();

@@ -84,7 +84,7 @@ bool make(const RunConfiguration& configuration, const fs::path& out, int thread
   StageCosts costs;
   RunOptions options;
   options.out = out;
-  options.licences = committed().licences();
+  options.licenses = committed().licenses();
   options.threads = threads;
   options.costs = &costs;
   const double start = processor_seconds();

@@ -32,7 +32,7 @@ struct OverrideInForce {
 struct Explanation {
   std::string simulator, category, name;
   std::optional<Fact> fact;  // when it holds
-  std::optional<Licence> licence;
+  std::optional<License> license;
   std::optional<std::string> rule;  // the meaning of a derived one
   std::optional<Sense> sense;       // of a placement: whether things are usually there
   std::vector<OverrideInForce> overrides;
@@ -90,7 +90,7 @@ Explanation explain(const DataFolders& folders, const Knowledge& knowledge, cons
     if (known.name == e.name) e.fact = std::move(known);
   }
   if (e.fact) {
-    e.licence = licence_of(read_licences(folders.licences(), errors), e.fact->source.source);
+    e.license = license_of(read_licenses(folders.licenses(), errors), e.fact->source.source);
     if (e.fact->source.source.starts_with("derived:"))
       e.rule = meaning_of(read_rules(folders.tables() / "rules.csv", errors), e.fact->source.source);
   }
@@ -110,8 +110,8 @@ void print(const Explanation& e, const DataFolders& folders) {
     print_line(subject + ": " + e.fact->value);
     print_line("  source     " + e.fact->source.source + ", confidence " + number_text(e.fact->source.confidence));
     print_line("  origin     " +
-               (e.licence ? e.licence->origin : "not among the allowed ones of " + folders.licences().string()));
-    if (e.licence) print_line("  licence    " + e.licence->licence);
+               (e.license ? e.license->origin : "not among the allowed ones of " + folders.licenses().string()));
+    if (e.license) print_line("  licence    " + e.license->license);
     if (e.rule) print_line("  rule       " + *e.rule);
   } else {
     print_line(subject + ": does not hold; no table says it");
@@ -139,9 +139,9 @@ Json json_of(const Explanation& e) {
     json["source"] = e.fact->source.source;
     json["confidence"] = e.fact->source.confidence;
   }
-  if (e.licence) {
-    json["origin"] = e.licence->origin;
-    json["licence"] = e.licence->licence;
+  if (e.license) {
+    json["origin"] = e.license->origin;
+    json["licence"] = e.license->license;
   }
   if (e.rule) json["rule"] = *e.rule;
   if (e.sense) json["sense"] = {{"grade", name_of(e.sense->grade)}, {"reasons", e.sense->reasons}};

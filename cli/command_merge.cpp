@@ -19,7 +19,7 @@ Exit merge(const MergeOptions& options, CommandLine& program) {
   program.folders.extended_library = shards->configuration.extended;
   const auto reading = load_resources(program.folders);
   if (!reading.errors.empty()) return refuse(reading.errors);
-  const auto merged = merge_shards(*shards, reading.resources, program.folders.licences(), options.out);
+  const auto merged = merge_shards(*shards, reading.resources, program.folders.licenses(), options.out);
   if (!merged) return refuse(merged.error());
   std::printf("joined %zu shards with %d tasks in %s\n", options.shards.size(), shards->configuration.count,
               options.out.string().c_str());

@@ -53,7 +53,7 @@ Exit apply(const ReviewOptions& options, const CommandLine& program) {
   const auto reading = load_resources(folders);
   if (!reading.errors.empty()) return refuse(reading.errors);
   ApplyOptions settings = options.apply;
-  settings.licences = folders.licences();
+  settings.licenses = folders.licenses();
   const auto report = apply_review(options.folder, options.out.empty() ? options.folder : options.out, *reviews,
                                    reading.resources, settings);
   if (!report) return refuse(report.error());

@@ -36,7 +36,7 @@ std::vector<Picture> pictures_of(const QuizItem& item) {
   return pictures;
 }
 
-std::string centimetres(const Vec3& size) {
+std::string centimeters(const Vec3& size) {
   std::string text;
   for (const double side : size) text += (text.empty() ? "" : "x") + std::to_string(std::lround(100 * side));
   return text;
@@ -62,7 +62,7 @@ Exit write_quiz(const std::vector<QuizItem>& items, const std::filesystem::path&
     const std::size_t place = pictures.size();
     const std::string number = std::to_string(i + 1);
     questions += number + "," + std::to_string(sheets + 1) + "," + std::to_string(place / kQuizColumns + 1) + "," +
-                 std::to_string(place % kQuizColumns + 1) + "," + centimetres(item.shown.front().size) + "," +
+                 std::to_string(place % kQuizColumns + 1) + "," + centimeters(item.shown.front().size) + "," +
                  item.question + "\n";
     answers += number + "," + std::string(name_of(item.knowledge->simulator())) + "," + item.category->name + "," +
                item.answer + "\n";

@@ -157,7 +157,7 @@ Exit show(const TemplateShowOptions& options, const CommandLine& program) {
   ShownTemplate shown{source, goal_in_words(source), {}};
   for (const auto simulator : source.simulators) {
     const auto& backend = choice.resources.backend(simulator);
-    shown.simulators.emplace_back(&backend, summarise_bindings(source, backend.knowledge, kMostBindings));
+    shown.simulators.emplace_back(&backend, summarize_bindings(source, backend.knowledge, kMostBindings));
   }
   if (options.json) {
     std::printf("%s\n", json_of(shown).dump(2, ' ', false, Json::error_handler_t::replace).c_str());

@@ -26,7 +26,7 @@ constexpr const char* kProgram = "program";
 /// What every program of python/adapters translates, and what does not change.
 constexpr std::array kTranslated{Predicate::Open,    Predicate::Closed,   Predicate::On,   Predicate::Inside,
                                  Predicate::OnFloor, Predicate::InRoom,   Predicate::Held, Predicate::SliceOf,
-                                 Predicate::Colour,  Predicate::Material, Predicate::Size};
+                                 Predicate::Color,   Predicate::Material, Predicate::Size};
 /// What act_virtualhome.py tells besides.
 constexpr std::array kTranslatedToVirtualhome{Predicate::PowerOn, Predicate::PowerOff, Predicate::Clean,
                                               Predicate::Dirty};

@@ -43,8 +43,8 @@ Result<ValidationOptions> full_validation(const Resources& resources, const Data
   auto forms = forms_of_tasks(resources, folders);
   if (!forms) return forms.error();
   options.forms_of = std::move(*forms);
-  options.derive_files = [&resources, licences = folders.licences()](const ManifestRecord& manifest) {
-    return expected_files(manifest, resources, licences);
+  options.derive_files = [&resources, licenses = folders.licenses()](const ManifestRecord& manifest) {
+    return expected_files(manifest, resources, licenses);
   };
   auto known_homes = read_known_homes(folders.runs());
   if (!known_homes) return known_homes.error();

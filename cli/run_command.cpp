@@ -155,7 +155,7 @@ Exit make_data_set(RunCommand& command, const Resources& resources, const Comman
                    {},
                    "a shard's instructions are written by the grammar; run `unietp annotate` on the merged data set"});
   ProgressLine line(program.terminal);
-  command.run.licences = program.folders.licences();
+  command.run.licenses = program.folders.licenses();
   command.run.stop = program.interrupted;
   if (program.terminal) command.run.progress = [&line](const RunProgress& now) { line.draw(run_progress(now)); };
   auto in_simulator = tell_in_simulator(resources, program.folders);

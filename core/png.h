@@ -14,10 +14,10 @@ Result<std::string> png(int width, int height, std::span<const std::uint8_t> rgb
 
 /// The same in a fraction of the bytes: colors are rounded to 32 levels a channel, and the 256 most frequent of them
 /// stand for all.
-Result<std::string> few_colours_png(int width, int height, std::span<const std::uint8_t> rgb);
+Result<std::string> few_colors_png(int width, int height, std::span<const std::uint8_t> rgb);
 
-/// The bytes of a PNG file of one channel of 16 bits. `grey`: rows from the top, width * height values. Determinism and
+/// The bytes of a PNG file of one channel of 16 bits. `gray`: rows from the top, width * height values. Determinism and
 /// errors as above.
-Result<std::string> grey_png(int width, int height, std::span<const std::uint16_t> grey);
+Result<std::string> gray_png(int width, int height, std::span<const std::uint16_t> gray);
 
 }  // namespace unietp

@@ -132,7 +132,7 @@ CandidateRecord outline_of(CandidateRecord record) {
   return record;
 }
 
-std::string normalised_text(std::string_view text) {
+std::string normalized_text(std::string_view text) {
   std::string words;
   bool gap = false;
   for (const char c : lower(text)) {
@@ -169,7 +169,7 @@ CandidateRecord record_of(const std::variant<Task, RejectedCandidate>& candidate
   record.template_name = record.task.row.template_name;
   record.start_key = start_key(task, changes);
   record.traits = to_text(task.traits);
-  record.text_key = sha256(task.episode.layout + "\n" + normalised_text(task.instruction.text));
+  record.text_key = sha256(task.episode.layout + "\n" + normalized_text(task.instruction.text));
   return record;
 }
 

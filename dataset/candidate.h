@@ -50,6 +50,6 @@ RejectionEntry repetition_entry(const CandidateRecord& record, bool same_start);
 CandidateRecord outline_of(CandidateRecord record);
 
 /// Lower case, letters and digits only, single blanks: instructions that differ in nothing else are the same.
-std::string normalised_text(std::string_view text);
+std::string normalized_text(std::string_view text);
 
 }  // namespace unietp

@@ -138,7 +138,7 @@ std::string dataset_card(const Manifest& manifest) {
   text += "## Results of the candidates\n\n" + funnel_table(counts);
   text += "## Sources of the facts\n\n";
   std::set<std::string> origins;
-  for (const auto& source : manifest.sources) origins.insert("- " + source.origin + ": " + source.licence + "\n");
+  for (const auto& source : manifest.sources) origins.insert("- " + source.origin + ": " + source.license + "\n");
   for (const auto& origin : origins) text += origin;
   return text;
 }

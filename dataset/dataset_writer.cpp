@@ -74,7 +74,7 @@ Result<Done> DatasetWriter::add_rejection(const RejectionEntry& rejection) {
 }
 
 Result<Done> DatasetWriter::finish(const RunConfiguration& configuration, const Resources& resources,
-                                   const fs::path& licences, std::optional<WritingEntry> writing) {
+                                   const fs::path& licenses, std::optional<WritingEntry> writing) {
   if (demonstrations_.empty()) {  // of no task
     auto begun = LinesWriter::begin(folder_ / "demonstrations" / "M1.jsonl");
     if (!begun) return begun.error();
@@ -87,7 +87,7 @@ Result<Done> DatasetWriter::finish(const RunConfiguration& configuration, const 
   }
   if (auto done = database_.finish(); !done) return done.error();
   counts_.balance = traits_.spreads();
-  auto sources = sources_of(configuration, resources, licences);
+  auto sources = sources_of(configuration, resources, licenses);
   if (!sources) return sources.error();
   Manifest manifest{std::string(program_version()),
                     resources.digest,

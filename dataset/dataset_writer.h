@@ -37,7 +37,7 @@ class DatasetWriter {
   /// The database, the card and the manifest; after it the folder is complete. `writing`: how the instructions were
   /// written anew, if they were. Errors: also those of sources_of.
   Result<Done> finish(const RunConfiguration& configuration, const Resources& resources,
-                      const std::filesystem::path& licences, std::optional<WritingEntry> writing = {});
+                      const std::filesystem::path& licenses, std::optional<WritingEntry> writing = {});
 
  private:
   DatasetWriter(std::filesystem::path folder, LinesWriter tasks, LinesWriter rejections, DatasetDatabase database)

@@ -52,7 +52,7 @@ Json writing_json(const WritingEntry& writing) {
 
 }  // namespace
 
-Result<std::vector<SourceLicence>> sources_of(const RunConfiguration& configuration, const Resources& resources,
+Result<std::vector<SourceLicense>> sources_of(const RunConfiguration& configuration, const Resources& resources,
                                               const fs::path& table) {
   const auto text = read_file(table);
   if (!text) return text.error();
@@ -65,7 +65,7 @@ Result<std::vector<SourceLicence>> sources_of(const RunConfiguration& configurat
   std::set<std::string> sources;
   for (const auto simulator : configuration.simulators)
     collect_sources(resources.backend(simulator).knowledge, sources);
-  std::vector<SourceLicence> found;
+  std::vector<SourceLicense> found;
   for (const auto& source : sources) {
     const CsvRow* best = nullptr;
     for (const auto& row : csv.rows) {
@@ -116,9 +116,9 @@ std::string to_text(const Manifest& manifest) {
   Json files = Json::array();
   for (const auto& [path, file] : manifest.files)
     files.push_back({{"path", path}, {"bytes", file.bytes}, {"sha256", file.sha256}});
-  Json licences = Json::array();
+  Json licenses = Json::array();
   for (const auto& source : manifest.sources)
-    licences.push_back({{"source", source.source}, {"origin", source.origin}, {"licence", source.licence}});
+    licenses.push_back({{"source", source.source}, {"origin", source.origin}, {"licence", source.license}});
   Json json{{"format", "unietp-manifest/1"},
             {"program", {{"name", "unietp"}, {"version", manifest.version}}},
             {"knowledge_digest", manifest.knowledge_digest},
@@ -136,7 +136,7 @@ std::string to_text(const Manifest& manifest) {
               {"balance", std::move(balance)},
               {"rejections", std::move(rejections)}}},
             {"files", std::move(files)},
-            {"sources", std::move(licences)}};
+            {"sources", std::move(licenses)}};
   if (!manifest.benchmark.empty()) json["benchmark"] = manifest.benchmark;
   if (manifest.writing) json["instructions"] = writing_json(*manifest.writing);
   return json.dump(2) + "\n";

@@ -23,10 +23,10 @@ struct FileEntry {
 };
 
 /// A source of facts behind a data set.
-struct SourceLicence {
+struct SourceLicense {
   std::string source;   // "metadata:ai2thor/object_types.json", "curated"
   std::string origin;   // repository it was collected from
-  std::string licence;  // as found there
+  std::string license;  // as found there
 };
 
 /// How `annotate` wrote the instructions after the run.
@@ -46,7 +46,7 @@ struct Manifest {
   RunConfiguration configuration;
   DatasetCounts counts;
   std::map<std::string, FileEntry> files;  // by path in the folder, but for the manifest
-  std::vector<SourceLicence> sources;
+  std::vector<SourceLicense> sources;
   std::optional<WritingEntry> writing;  // nullopt: the run wrote the instructions
 };
 /// The frozen benchmark that a data set with these files is, or "".
@@ -60,7 +60,7 @@ Result<std::map<std::string, FileEntry>> files_below(const std::filesystem::path
 
 /// The sources that the facts of the configuration's simulators name, sorted, with what the table says of each.
 /// Errors: Io, Parse; Schema when a metadata source has no row (a license is never guessed).
-Result<std::vector<SourceLicence>> sources_of(const RunConfiguration& configuration, const Resources& resources,
+Result<std::vector<SourceLicense>> sources_of(const RunConfiguration& configuration, const Resources& resources,
                                               const std::filesystem::path& table);
 
 }  // namespace unietp

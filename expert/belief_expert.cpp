@@ -211,7 +211,7 @@ class BeliefExpert {
       if (!way) break;
       for (const Action& step : *way) {
         if (!can_say(step)) break;  // something that it did not know of hides it
-        if (!step_towards(step)) return false;
+        if (!step_toward(step)) return false;
         if (strayed_ || (can_say(action) && known_world_.allows(action))) break;
       }
       strayed_ = false;
@@ -242,7 +242,7 @@ class BeliefExpert {
   }
 
   /// A step on the way to something; it may lead elsewhere than foreseen.
-  bool step_towards(const Action& step) {
+  bool step_toward(const Action& step) {
     if (acted_) {
       if (!act_as_planned(step)) give_up("to see more: " + trouble_.text, trouble_.failure);
       return !gave_up_;

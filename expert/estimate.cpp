@@ -7,7 +7,7 @@
 namespace unietp {
 namespace {
 
-constexpr double kActionsPerMetre = 0.1;
+constexpr double kActionsPerMeter = 0.1;
 
 bool has(const std::vector<Literal>& sorted, const Literal& literal) {
   return std::binary_search(sorted.begin(), sorted.end(), literal);
@@ -25,7 +25,7 @@ void insert_once(std::vector<EntityIndex>& list, EntityIndex entity) {
   if (entity != kNobody && std::find(list.begin(), list.end(), entity) == list.end()) list.push_back(entity);
 }
 
-double metres_between(const Situation& situation, EntityIndex a, EntityIndex b) {
+double meters_between(const Situation& situation, EntityIndex a, EntityIndex b) {
   const Node* from = situation.node(a);
   const Node* to = b == kNobody ? nullptr : situation.node(b);
   if (from == nullptr || to == nullptr) return 0;
@@ -79,7 +79,7 @@ double estimate(const Alternative& alternative, const Situation& situation, cons
       cost += 1;
       if (changes_in_hand(literal.predicate)) cost += 1;
     } else if (literal.positive) {
-      cost += 2 + kActionsPerMetre * metres_between(situation, literal.subject, literal.object);
+      cost += 2 + kActionsPerMeter * meters_between(situation, literal.subject, literal.object);
       insert_once(doors, situation.shut_in(literal.object));
       const bool shut =
           literal.predicate == Predicate::Inside && situation.facts().holds(Predicate::Closed, literal.object);
@@ -87,13 +87,13 @@ double estimate(const Alternative& alternative, const Situation& situation, cons
     }
   }
   for (const EntityIndex thing : visited) cost += experience.penalty(thing);
-  for (const EntityIndex thing : fetched) cost += 2 + kActionsPerMetre * situation.walk_m(thing);
+  for (const EntityIndex thing : fetched) cost += 2 + kActionsPerMeter * situation.walk_m(thing);
   for (const EntityIndex thing : visited) {
     const bool also_fetched = std::find(fetched.begin(), fetched.end(), thing) != fetched.end();
-    if (!also_fetched) cost += 0.5 * kActionsPerMetre * situation.walk_m(thing);
+    if (!also_fetched) cost += 0.5 * kActionsPerMeter * situation.walk_m(thing);
   }
-  for (const EntityIndex door : doors) cost += 2 + kActionsPerMetre * situation.walk_m(door);
-  for (const EntityIndex whole : cut) cost += 5 + kActionsPerMetre * situation.walk_m(whole);
+  for (const EntityIndex door : doors) cost += 2 + kActionsPerMeter * situation.walk_m(door);
+  for (const EntityIndex whole : cut) cost += 5 + kActionsPerMeter * situation.walk_m(whole);
   return cost;
 }
 

@@ -38,9 +38,9 @@ class Methods {
   bool place(const Literal& literal);
   bool place_in_room(const std::string& id, const std::string& room);
   bool put_down_in(const std::string& id, const std::string& room);
-  bool place_beside(const std::string& id, const std::string& neighbour);
-  bool set_beside(const std::string& id, const std::string& neighbour);
-  std::vector<Action> ways_beside(const std::string& neighbour) const;
+  bool place_beside(const std::string& id, const std::string& neighbor);
+  bool set_beside(const std::string& id, const std::string& neighbor);
+  std::vector<Action> ways_beside(const std::string& neighbor) const;
   bool let_fall(const std::string& id, const std::string& room);
   bool put_shut(const std::string& id, ActionType action, const std::string& target);
   bool put_in_grasp(const std::string& id, ActionType action, const std::string& target);
@@ -50,7 +50,7 @@ class Methods {
   bool carry_away(const std::string& other, const std::string& id, const std::string& target);
   bool leave_room(const std::string& id, ActionType action, const std::string& target);
   bool nest(const std::string& id, const std::string& target);
-  bool put_together(const std::string& id, const std::string& neighbour);
+  bool put_together(const std::string& id, const std::string& neighbor);
   bool reopen(const std::string& id, ActionType action, const std::string& target);
   std::vector<std::string> in_the_way_on(const std::string& target, const std::string& but) const;
   std::string next_for(const std::string& target, const std::string& but) const;

@@ -85,7 +85,7 @@ class Mutator {
   }
 
   /// Only some orders need matter (two mugs before a plate: the mugs may swap), but not none.
-  void swap_neighbours(const std::vector<Action>& actions, std::vector<std::string>& surviving) const {
+  void swap_neighbors(const std::vector<Action>& actions, std::vector<std::string>& surviving) const {
     if (!has_operator(goal_, {Formula::Op::Before, Formula::Op::Until})) return;
     const std::vector<Block> blocks = blocks_of(actions);
     std::vector<std::string> swapped;
@@ -163,7 +163,7 @@ std::vector<std::string> needless_steps(ExecutionTree& executions, const Demonst
   mutator.drop_each(demonstration, actions, surviving);
   actions = actions_for_the_goal(demonstration);
   mutator.leave_in_hand(actions, surviving);
-  mutator.swap_neighbours(actions, surviving);
+  mutator.swap_neighbors(actions, surviving);
   const Trace start{executions.entities(), {executions.facts(executions.world())}};
   mutator.use_distractors(executions.goal(), start, actions, surviving);
   return surviving;

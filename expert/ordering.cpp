@@ -30,10 +30,10 @@ class Ranker {
 
   auto key(const Literal& literal) const {
     const Node* node = attempt_.node(literal.subject);
-    double metres = node == nullptr || attempt_.is_held(node->id) ? 0 : attempt_.world().walking_distance(node->id);
-    if (preferences_.far_first) metres = -metres;
+    double meters = node == nullptr || attempt_.is_held(node->id) ? 0 : attempt_.world().walking_distance(node->id);
+    if (preferences_.far_first) meters = -meters;
     const double room = preferences_.large_first && node != nullptr ? -node->size.x() * node->size.y() : 0;
-    return std::tuple(stage(literal), depth(literal), room, metres, literal.subject, place_in_group(literal), literal);
+    return std::tuple(stage(literal), depth(literal), room, meters, literal.subject, place_in_group(literal), literal);
   }
 
  private:

@@ -49,17 +49,17 @@ bool Methods::let_fall(const std::string& id, const std::string& room) {
 
 /// What can be put where the neighbor stands: on what carries it, into what it lies in, on furniture beside it, or let
 /// fall there.
-std::vector<Action> Methods::ways_beside(const std::string& neighbour) const {
+std::vector<Action> Methods::ways_beside(const std::string& neighbor) const {
   const World& world = attempt_.world();
   std::vector<Action> ways;
-  for (const std::string& support : world.linked_from(neighbour, Predicate::On))
+  for (const std::string& support : world.linked_from(neighbor, Predicate::On))
     ways.push_back({ActionType::PlaceOn, {support}});
-  for (const std::string& around : world.linked_from(neighbour, Predicate::Inside))
+  for (const std::string& around : world.linked_from(neighbor, Predicate::Inside))
     ways.push_back({ActionType::PlaceIn, {around}});
-  const Node& node = *find(neighbour);
+  const Node& node = *find(neighbor);
   const Bounds bounds = bounds_of(node.pose, node.size);
   for (const Node& other : world.nodes()) {
-    if (other.movable || other.id == neighbour || !side_by_side(bounds, bounds_of(other.pose, other.size))) continue;
+    if (other.movable || other.id == neighbor || !side_by_side(bounds, bounds_of(other.pose, other.size))) continue;
     ways.push_back({ActionType::PlaceOn, {other.id}});
     if (!other.openable || is(other.id, Predicate::Open)) ways.push_back({ActionType::PlaceIn, {other.id}});
   }
@@ -68,18 +68,18 @@ std::vector<Action> Methods::ways_beside(const std::string& neighbour) const {
 }
 
 /// Where the neighbor is; or, where there is no room beside it, where there is room for both.
-bool Methods::place_beside(const std::string& id, const std::string& neighbour) {
-  if (attempt_.is_held(neighbour) && !put_aside(neighbour)) return false;
-  if (!open_around(neighbour)) return false;
-  if (hold(id) && set_beside(id, neighbour)) return true;
-  return clears_ && find(neighbour)->movable && put_together(id, neighbour);
+bool Methods::place_beside(const std::string& id, const std::string& neighbor) {
+  if (attempt_.is_held(neighbor) && !put_aside(neighbor)) return false;
+  if (!open_around(neighbor)) return false;
+  if (hold(id) && set_beside(id, neighbor)) return true;
+  return clears_ && find(neighbor)->movable && put_together(id, neighbor);
 }
 
 /// The neighbor first, to where the other comes to stand beside it.
-bool Methods::put_together(const std::string& id, const std::string& neighbour) {
-  if (!hold(neighbour)) return false;
-  const Postcondition aim{[&](const World& world) { return world.linked(id, Predicate::NextTo, neighbour); }, {}};
-  PutDownOptions ways = put_down_options(neighbour, "", "");
+bool Methods::put_together(const std::string& id, const std::string& neighbor) {
+  if (!hold(neighbor)) return false;
+  const Postcondition aim{[&](const World& world) { return world.linked(id, Predicate::NextTo, neighbor); }, {}};
+  PutDownOptions ways = put_down_options(neighbor, "", "");
   while (const auto next = ways.next()) {
     const Action& way = *next;
     const std::vector<Action> steps{
@@ -87,21 +87,21 @@ bool Methods::put_together(const std::string& id, const std::string& neighbour) 
     World trial = attempt_.world();
     if (!std::all_of(steps.begin(), steps.end(), [&](const Action& step) { return trial.step(step).success; }))
       continue;
-    if (!steps_to_act(trial, way, neighbour, aim)) continue;
+    if (!steps_to_act(trial, way, neighbor, aim)) continue;
     return std::all_of(steps.begin(), steps.end(), [this](const Action& step) { return attempt_.act(step); }) &&
-           from_elsewhere(way, neighbour, aim);
+           from_elsewhere(way, neighbor, aim);
   }
   return false;
 }
 
-bool Methods::set_beside(const std::string& id, const std::string& neighbour) {
+bool Methods::set_beside(const std::string& id, const std::string& neighbor) {
   const Vec3 size = find(id)->size;
-  const Node& other = *find(neighbour);
+  const Node& other = *find(neighbor);
   const Bounds there = bounds_of(other.pose, other.size);
-  const Postcondition aim{[&](const World& world) { return world.linked(id, Predicate::NextTo, neighbour); },
+  const Postcondition aim{[&](const World& world) { return world.linked(id, Predicate::NextTo, neighbor); },
                           [&](const Pose& spot) { return side_by_side(bounds_of(spot, size), there); }};
-  for (const Action& way : ways_beside(neighbour)) {
-    if (from_elsewhere(way, neighbour, aim)) return true;
+  for (const Action& way : ways_beside(neighbor)) {
+    if (from_elsewhere(way, neighbor, aim)) return true;
     if (attempt_.exhausted()) return false;
   }
   return false;

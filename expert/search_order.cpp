@@ -28,7 +28,7 @@ constexpr double kInPicture = 0.5;   // quarter turns to the edge of the picture
 constexpr double kLeast = 1e-9;
 constexpr double kBeside_m = 3;
 constexpr double kQuarter_deg = 90;  // from one view of a room to the next
-constexpr double kPerMetre = 0.05;   // steps that a meter of way counts for
+constexpr double kPerMeter = 0.05;   // steps that a meter of way counts for
 
 double left_after(const std::array<double, 6>& left, int looks) {
   return left[std::min<std::size_t>(static_cast<std::size_t>(looks), left.size() - 1)];
@@ -204,7 +204,7 @@ std::optional<SearchOrder::Look> SearchOrder::next(const std::vector<SearchTarge
       const auto view = views_.best(place.room, agent);
       if (!view) continue;
       const bool leaves = view->goes && room_at(belief.scene(), agent.position) != &belief.scene().rooms[place.room];
-      const double far = view->goes ? kPerMetre * (place.position - agent.position).norm() : 0;
+      const double far = view->goes ? kPerMeter * (place.position - agent.position).norm() : 0;
       offer(place, all.on * view->shows, view->steps() + far + (leaves ? kLeaving : 0), false);
       if (best && best->id == place.id) best->view = *view;
       continue;
@@ -212,7 +212,7 @@ std::optional<SearchOrder::Look> SearchOrder::next(const std::vector<SearchTarge
     const bool shut = is_shut(place, belief);
     const bool here = place.id == at && place.looks == 1;
     const double way =
-        here ? 0 : 1 + kPerMetre * (place.position - agent.position).norm() + turns_to_see(place, belief.scene());
+        here ? 0 : 1 + kPerMeter * (place.position - agent.position).norm() + turns_to_see(place, belief.scene());
     const double on = all.on * (left_on(place, place.looks) - left_on(place, place.looks + 1));
     const double inside_now = shut ? 0
                                    : all.inside * (left_inside(place, false, place.looks_inside) -

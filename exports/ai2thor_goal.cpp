@@ -33,7 +33,7 @@ class TestWriter {
         const Node* const piece = find_node(start_, first);
         return piece != nullptr && piece->slice_of == one.arguments[1] ? there : Json{{"always", false}};
       }
-      case Predicate::Colour:
+      case Predicate::Color:
       case Predicate::Material:
       case Predicate::Size:
         return Json{{"always", one.holds_in(at_start)}};

@@ -25,7 +25,7 @@ bool completable(const Template& source, const Knowledge& knowledge, Binding& bi
 
 }  // namespace
 
-BindingSummary summarise_bindings(const Template& source, const Knowledge& knowledge, std::size_t limit) {
+BindingSummary summarize_bindings(const Template& source, const Knowledge& knowledge, std::size_t limit) {
   BindingSummary summary;
   for (const auto& parameter : source.parameters)
     summary.fills.emplace_back(parameter.name, std::vector<std::string>{});

@@ -21,6 +21,6 @@ struct BindingSummary {
 };
 
 /// Counts bindings up to `limit`; `fills` is complete all the same. Nothing for a simulator that is not claimed.
-BindingSummary summarise_bindings(const Template& source, const Knowledge& knowledge, std::size_t limit);
+BindingSummary summarize_bindings(const Template& source, const Knowledge& knowledge, std::size_t limit);
 
 }  // namespace unietp

@@ -105,7 +105,7 @@ std::optional<Names> narrowed(const DomainConstraint& constraint, const std::str
     const auto* category = bound == nullptr ? nullptr : knowledge.find(*bound);
     if (category == nullptr) return std::nullopt;
     if (kind.meaning == Meaning::Usual) return sorted_unique(Names(category->rooms.begin(), category->rooms.end()));
-    Names values(category->colours.begin(), category->colours.end());
+    Names values(category->colors.begin(), category->colors.end());
     values.insert(values.end(), category->materials.begin(), category->materials.end());
     return sorted_unique(std::move(values));
   }
@@ -143,7 +143,7 @@ std::vector<std::string> words_for(const Parameter& parameter, const Knowledge& 
   if (parameter.affordances.front() == "substance") return substances(knowledge);
   std::vector<std::string> words;
   for (const auto& category : knowledge.categories()) {
-    const auto& own = parameter.affordances.front() == "colour" ? category.colours : category.materials;
+    const auto& own = parameter.affordances.front() == "colour" ? category.colors : category.materials;
     words.insert(words.end(), own.begin(), own.end());
   }
   return sorted_unique(std::move(words));
@@ -157,7 +157,7 @@ bool is_word_for(const Parameter& parameter, const std::string& word, const Know
                        [&](const Effect& effect) { return effect.gives == word && gives_substance(effect); });
   }
   return std::any_of(knowledge.categories().begin(), knowledge.categories().end(), [&](const Category& category) {
-    const auto& own = asked == "colour" ? category.colours : category.materials;
+    const auto& own = asked == "colour" ? category.colors : category.materials;
     return std::find(own.begin(), own.end(), word) != own.end();
   });
 }
@@ -240,7 +240,7 @@ bool value_holds(const DomainConstraint& constraint, const Binding& binding, con
   const auto* value = bound_to(binding, constraint.arguments[1]);
   const auto* known = category == nullptr ? nullptr : knowledge.find(*category);
   if (known == nullptr || value == nullptr) return false;
-  for (const auto* list : {&known->colours, &known->materials}) {
+  for (const auto* list : {&known->colors, &known->materials}) {
     if (std::find(list->begin(), list->end(), *value) == list->end()) continue;
     return std::any_of(list->begin(), list->end(), [&](const auto& other) { return distinguishable(*value, other); });
   }

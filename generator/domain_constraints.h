@@ -13,7 +13,7 @@ namespace unietp {
 /// The types of room that the knowledge base names, sorted: what a placeholder `(R - room)` may become.
 std::vector<std::string> room_types(const Knowledge& knowledge);
 
-/// Whether a category (a room type, for `room`; a word, for `colour`, `material`, `substance`) has everything that the
+/// Whether a category (a room type, for `room`; a word, for `color`, `material`, `substance`) has everything that the
 /// parameter asks for.
 bool affords(const Parameter& parameter, const std::string& category, const Knowledge& knowledge);
 

@@ -104,7 +104,7 @@ std::vector<Reference> by_attribute(const GoalVariable& variable, const Knowledg
   const auto* category = knowledge.find(variable.category);
   const auto is_sink = [](const std::string& kind) { return kind == "sink"; };  // told by its room
   if (category == nullptr || std::any_of(category->kinds.begin(), category->kinds.end(), is_sink)) return found;
-  add_values(variable, Predicate::Colour, category->colours, found);
+  add_values(variable, Predicate::Color, category->colors, found);
   add_values(variable, Predicate::Material, category->materials, found);
   return found;
 }

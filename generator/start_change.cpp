@@ -27,8 +27,8 @@ bool StartDraft::set_attribute(const StartLiteral& literal, Id thing) {
     std::erase(others, own);
     own = others.empty() ? "" : rng_.pick(others);
   };
-  if (literal.predicate == Predicate::Colour) {
-    set(role.colour, kind.colours);
+  if (literal.predicate == Predicate::Color) {
+    set(role.color, kind.colors);
   } else if (literal.predicate == Predicate::Material) {
     set(role.material, kind.materials);
   } else if (literal.predicate == Predicate::Size) {

@@ -19,8 +19,7 @@ bool speaks_of_agent(const Formula& formula) {
 
 bool speaks_of_attributes(const Formula& formula) {
   const auto& p = formula.predicate;
-  if (formula.op == Formula::Op::Atom)
-    return p == Predicate::Colour || p == Predicate::Material || p == Predicate::Size;
+  if (formula.op == Formula::Op::Atom) return p == Predicate::Color || p == Predicate::Material || p == Predicate::Size;
   return std::any_of(formula.children.begin(), formula.children.end(), speaks_of_attributes) ||
          std::any_of(formula.domain.where.begin(), formula.domain.where.end(), speaks_of_attributes);
 }

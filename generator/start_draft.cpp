@@ -54,7 +54,7 @@ void StartDraft::draw_states(Id id) {
   const auto& rules = demands_.rules;
   const auto& kind = setting().kind_of(id);
   auto& role = start_.setting.objects.object(id);
-  if (!kind.colours.empty()) role.colour = rng_.pick(kind.colours);
+  if (!kind.colors.empty()) role.color = rng_.pick(kind.colors);
   if (!kind.materials.empty()) role.material = rng_.pick(kind.materials);
   role.size = rng_.chance(0.5) ? "small" : "large";
   auto& thing = world()[id];
@@ -157,7 +157,7 @@ bool StartDraft::is_true(const StartLiteral& literal, Id thing) const {
   const auto is = [&](const std::string& own) {
     return own == literal.symbol || (literal.symbol == "any" && !own.empty());
   };
-  if (literal.predicate == Predicate::Colour) return is(role.colour);
+  if (literal.predicate == Predicate::Color) return is(role.color);
   if (literal.predicate == Predicate::Material) return is(role.material);
   if (literal.predicate == Predicate::Size) return is(role.size);
   const auto symbol = demands_.rules.symbol_named(literal.symbol);

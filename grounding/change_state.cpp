@@ -37,9 +37,9 @@ bool SceneEditor::set_state(const std::string& id, Predicate predicate, const st
     return fail(RejectionReason::StateNotPossible, node.category + " cannot be " + state_text);
   };
   if (predicate == Predicate::Size) return resize(id, symbol, truth);
-  if (predicate == Predicate::Colour || predicate == Predicate::Material) {
-    std::string& field = predicate == Predicate::Colour ? node.colour : node.material;
-    const auto& values = predicate == Predicate::Colour ? category->colours : category->materials;
+  if (predicate == Predicate::Color || predicate == Predicate::Material) {
+    std::string& field = predicate == Predicate::Color ? node.color : node.material;
+    const auto& values = predicate == Predicate::Color ? category->colors : category->materials;
     const std::string value = choose(values, symbol, truth);
     if (value.empty()) return impossible();
     field = value;
@@ -97,7 +97,7 @@ bool SceneEditor::open_or_close(const std::string& id, double opening) {
     const Pose to = before.pose * joint_motion(shape, cavity.joint, opening);
     for (const std::string& rider : carried) {
       const Node& node = workspace_.scene().nodes[*index_of(rider)];
-      const Vec3 local = inverse(from) * node.pose.position - cavity.centre;
+      const Vec3 local = inverse(from) * node.pose.position - cavity.center;
       if ((local.cwiseAbs() - cavity.half).maxCoeff() > 0) continue;
       move_to(rider, to * (inverse(from) * node.pose));
       riders.push_back(rider);

@@ -104,7 +104,7 @@ class EditDescriber {
     for (const std::string& state : states_besides(now.states, was.states)) lines_.push_back(made + state);
     if (was.states.has(Predicate::Covered) && !now.states.has(Predicate::Covered))
       lines_.push_back(made + "not covered");
-    if (was.colour != now.colour) lines_.push_back(made + now.colour);
+    if (was.color != now.color) lines_.push_back(made + now.color);
     if (was.material != now.material) lines_.push_back(made + "of " + now.material);
     if (was.size != now.size) lines_.push_back(made + (now.size.prod() > was.size.prod() ? "larger" : "smaller"));
   }

@@ -22,7 +22,7 @@ struct Rect {
   Vec2 size() const { return high - low; }
 };
 
-double round_to_dm(double metres) { return std::round(metres * 10) / 10; }
+double round_to_dm(double meters) { return std::round(meters * 10) / 10; }
 
 double area_of(const std::vector<std::size_t>& rooms, const std::vector<RoomRequest>& requests) {
   double area = 0;

@@ -31,7 +31,7 @@ struct RoomRequest {
 /// and living room across the whole depth at one end of a shorter one; seldom a rectangle cut in two again and again,
 /// at times with a piece cut off, which is also the kind without a corridor. The first request is the room that one
 /// enters the home by: it has an outer wall. Rooms come in the order of the requests, axis-parallel rectangles with
-/// corners at whole decimetres; ids are type_1, type_2, …. nullopt when this draw gives a room that is too narrow or
+/// corners at whole decimeters; ids are type_1, type_2, …. nullopt when this draw gives a room that is too narrow or
 /// cannot be joined so. Deterministic in rng.
 std::optional<FloorPlan> draw_floor_plan(const std::vector<RoomRequest>& requests, const RoomDoors& doors, Rng rng);
 

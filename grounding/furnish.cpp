@@ -26,7 +26,7 @@ constexpr double kInRun = 0.85;      // how often the next piece of a run is
 constexpr double kFreeSide_m = 0.5;  // of what stands free: from each side to the room's edge
 constexpr double kBetweenSeats_m = 0.08, kSeat_m = 0.55;  // depth of a chair at a table
 constexpr double kDesk_m = 0.8;                           // least width of what one sits at
-constexpr double kNeighbour_m = 0.06, kInRun_m = 0.02;    // farthest from the neighbor
+constexpr double kNeighbor_m = 0.06, kInRun_m = 0.02;     // farthest from the neighbor
 constexpr double kAside_m = 0.25;                         // of what faces a piece, from its middle
 constexpr double kAbove_m = 0.25;  // of what treats a thing that stands on it: more than a pot's height
 constexpr double kLidLean = 0.36;  // how far an open lid stands out behind, as a share of its length
@@ -105,7 +105,7 @@ std::optional<Vec3> draw_on_top(const Node& host, const Node& node, Rng& rng) {
   const Vec2 slack = top.half - node.size.head<2>() / 2;
   if (slack.minCoeff() < 0) return std::nullopt;
   const double back = std::min(slack.y(), rng.uniform(0.0, 0.08));
-  return top.centre + Vec3(rng.uniform(-1, 1) * slack.x(), slack.y() - back, node.size.z() / 2 + kRestGap_m);
+  return top.center + Vec3(rng.uniform(-1, 1) * slack.x(), slack.y() - back, node.size.z() / 2 + kRestGap_m);
 }
 
 /// Pose next to a host, backs in line, on the floor, at most `gap` away.
@@ -136,7 +136,7 @@ std::vector<std::size_t> company_in(const Workspace& workspace, std::size_t room
   using enum FurniturePosition::Kind;
   if (where.kind == Wall || where.kind == Run) return row_mates(workspace, room);
   const bool alone = where.kind == Corner || where.kind == WallHung || where.kind == OuterWall ||
-                     where.kind == Ceiling || where.kind == Centre;
+                     where.kind == Ceiling || where.kind == Center;
   return alone ? std::vector<std::size_t>() : hosts_in(workspace, room, where.host);
 }
 
@@ -200,7 +200,7 @@ std::optional<Candidate> draw_at_host(const Workspace& workspace, std::size_t ro
                     half.z() + where.height_m.value_or(0.02) + own.z());
     return Candidate{host.pose * Pose{spot, Quat::Identity()}, index};
   }
-  if (where.kind == FurniturePosition::Kind::Beside) return Candidate{beside(host, node, kNeighbour_m, rng), index};
+  if (where.kind == FurniturePosition::Kind::Beside) return Candidate{beside(host, node, kNeighbor_m, rng), index};
   if (where.kind == FurniturePosition::Kind::Before) {
     const double aside = rng.uniform(-0.5, 0.5) * std::max(0.0, half.x() - own.x());
     const Vec3 spot(aside, -half.y() - own.y() - rng.uniform(0.35, 0.5), on_floor);
@@ -229,7 +229,7 @@ std::optional<Candidate> draw_candidate(const Workspace& workspace, std::size_t 
   switch (where.kind) {
     case FurniturePosition::Kind::Wall:
       if (rng.chance(kInRow) && !company.empty())
-        return Candidate{beside(scene.nodes[rng.pick(company)], node, kNeighbour_m, rng), std::nullopt};
+        return Candidate{beside(scene.nodes[rng.pick(company)], node, kNeighbor_m, rng), std::nullopt};
       return against(whole_wall(bounds, rng.below(4)), rng.unit(), 0);
     case FurniturePosition::Kind::Run:
       if (rng.chance(kInRun) && !company.empty())
@@ -251,7 +251,7 @@ std::optional<Candidate> draw_candidate(const Workspace& workspace, std::size_t 
       const double height = scene.wall_height - node.size.z() / 2 - kUnderCeiling_m;
       return Candidate{upright({middle.x() + off.x(), middle.y() + off.y(), height}, 0), std::nullopt};
     }
-    case FurniturePosition::Kind::Centre: {
+    case FurniturePosition::Kind::Center: {
       const double yaw = static_cast<double>(rng.below(4)) * std::numbers::pi / 2;
       const Bounds own = bounds_of(upright(Vec3::Zero(), yaw), node.size);
       Vec3 position(0, 0, node.size.z() / 2);
@@ -270,8 +270,8 @@ std::optional<Candidate> draw_candidate(const Workspace& workspace, std::size_t 
 
 /// Room in front of a piece, in W.
 Bounds front_of(const Node& node, double depth) {
-  const Vec3 centre(0, -node.size.y() / 2 - depth / 2, kPassage_m / 2 - node.pose.position.z());
-  return bounds_of(node.pose * Pose{centre, Quat::Identity()}, {node.size.x(), depth, kPassage_m - 0.02});
+  const Vec3 center(0, -node.size.y() / 2 - depth / 2, kPassage_m / 2 - node.pose.position.z());
+  return bounds_of(node.pose * Pose{center, Quat::Identity()}, {node.size.x(), depth, kPassage_m - 0.02});
 }
 
 bool needs_front(const Node& node) {
@@ -347,7 +347,7 @@ bool keeps_out(const std::vector<KeepOut>& keep_outs, const Bounds& room, const 
 /// Whether chairs would find room around what stands in the middle, or before a table or desk at a wall.
 bool has_room_for_seats(const std::vector<KeepOut>& keep_outs, const Node& table, FurniturePosition::Kind where) {
   const bool at_wall = where == FurniturePosition::Kind::Wall && table.archetype == Archetype::Table;
-  if (where != FurniturePosition::Kind::Centre && (!at_wall || table.size.x() < kDesk_m)) return true;
+  if (where != FurniturePosition::Kind::Center && (!at_wall || table.size.x() < kDesk_m)) return true;
   Bounds around = at_wall ? front_of(table, kSeat_m) : bounds_of(table.pose, table.size);
   if (!at_wall) {
     around.low.head<2>().array() -= kSeat_m;

@@ -15,7 +15,7 @@ constexpr std::array<std::pair<std::string_view, PositionKind>, 13> kKinds{{{"wa
                                                                             {"run", PositionKind::Run},
                                                                             {"facing", PositionKind::Facing},
                                                                             {"corner", PositionKind::Corner},
-                                                                            {"centre", PositionKind::Centre},
+                                                                            {"centre", PositionKind::Center},
                                                                             {"wall-hung", PositionKind::WallHung},
                                                                             {"outer-wall", PositionKind::OuterWall},
                                                                             {"ceiling", PositionKind::Ceiling},

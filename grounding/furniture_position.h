@@ -12,7 +12,7 @@ struct FurniturePosition {
     Wall,       // back to a wall
     Run,        // back to a wall, in one row with the room's other such pieces, which begins in a corner
     Corner,     // back to a wall, side to another
-    Centre,     // free in the room
+    Center,     // free in the room
     WallHung,   // on a wall; `wall-hung:0.5` with its lower edge 0.5 m over the floor
     OuterWall,  // likewise, on a wall with no room behind it
     Ceiling,    // hangs from the ceiling, near the room's middle

@@ -99,7 +99,7 @@ void keep_standing(Workspace& workspace, const Home& home) {
   const NavigationGrid& grid = other ? *other : home.walk->grid;
   const Vec2 at = workspace.scene().agent.position;
   if (grid.free(grid.cell_at(at))) return;
-  if (const auto cell = grid.nearest_free(at)) workspace.agent().position = grid.centre(*cell);
+  if (const auto cell = grid.nearest_free(at)) workspace.agent().position = grid.center(*cell);
   workspace.read_edges();
 }
 

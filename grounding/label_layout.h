@@ -10,7 +10,7 @@ namespace unietp {
 
 /// A rectangle of the picture, pixels, y down.
 struct LabelBox {
-  Vec2 centre = Vec2::Zero(), size = Vec2::Zero();
+  Vec2 center = Vec2::Zero(), size = Vec2::Zero();
 };
 /// Whether the two share an area.
 bool overlap(const LabelBox& a, const LabelBox& b);
@@ -19,13 +19,13 @@ bool overlap(const LabelBox& a, const LabelBox& b);
 struct Label {
   std::string words;
   std::vector<double> sizes_px;  // font sizes to try, the wished one first
-  std::vector<Vec2> centres_px;  // places to try, the wished one first
+  std::vector<Vec2> centers_px;  // places to try, the wished one first
   double crowding = 0;           // how many obstacles it may cover at most
 };
 
 /// Where a label goes, and its font size.
 struct PlacedLabel {
-  Vec2 centre_px = Vec2::Zero();
+  Vec2 center_px = Vec2::Zero();
   double size_px = 0;
 };
 

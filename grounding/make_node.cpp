@@ -43,7 +43,7 @@ Node make_node(const Workspace& workspace, const Category& category, double spre
   }
   node.size = node.asset.empty() ? category.size.cwiseProduct(factor) : knowledge.asset(node.asset)->size;
   node.mass = category.mass * factor.prod();
-  if (!category.colours.empty()) node.colour = rng.pick(category.colours);
+  if (!category.colors.empty()) node.color = rng.pick(category.colors);
   if (!category.materials.empty()) node.material = rng.pick(category.materials);
   set_default_states(node, knowledge);
   return node;

@@ -92,12 +92,12 @@ RoomWalk::RoomWalk(const Walk& walk, const Room& room, const Vec2& from) : grid_
   width_ = static_cast<std::size_t>(high_.x - low_.x) + 1;
   for (int y = low_.y; y <= high_.y; ++y) {
     for (int x = low_.x; x <= high_.x; ++x)
-      of_room_.push_back(walk.reached.has(x, y) && contains(room.polygon, grid_.centre({x, y})));
+      of_room_.push_back(walk.reached.has(x, y) && contains(room.polygon, grid_.center({x, y})));
   }
   meters_.assign(of_room_.size(), kNoWay);
   const auto first = nearest(from);
   if (!first) return;
-  before_ = (grid_.centre(*first) - from).norm();
+  before_ = (grid_.center(*first) - from).norm();
   spread(*first);
 }
 
@@ -110,7 +110,7 @@ std::optional<RoomWalk::Cell> RoomWalk::nearest(const Vec2& point) const {
   double least = kNoWay;
   for (int y = low_.y; y <= high_.y; ++y) {
     for (int x = low_.x; x <= high_.x; ++x) {
-      const double away = is_of_room({x, y}) ? (grid_.centre({x, y}) - point).squaredNorm() : kNoWay;
+      const double away = is_of_room({x, y}) ? (grid_.center({x, y}) - point).squaredNorm() : kNoWay;
       if (away >= least) continue;
       least = away;
       best = Cell{x, y};
@@ -146,7 +146,7 @@ void RoomWalk::spread(Cell from) {
 std::optional<double> RoomWalk::meters_to(const Vec2& point) const {
   const auto last = nearest(point);
   if (!last || meters_[place(*last)] == kNoWay) return std::nullopt;
-  return before_ + meters_[place(*last)] + (grid_.centre(*last) - point).norm();
+  return before_ + meters_[place(*last)] + (grid_.center(*last) - point).norm();
 }
 
 std::optional<GroundingFailure> check_nearness_on_foot(const Formula& goal, const Scene& scene, const NodeIndex& places,

@@ -12,7 +12,7 @@ namespace {
 
 struct Fill {
   Archetype archetype;
-  std::string_view colour;
+  std::string_view color;
 };
 constexpr std::array<Fill, 10> kFills{{{Archetype::Block, "#e4e2dc"},
                                        {Archetype::Table, "#ecd8b4"},
@@ -26,37 +26,37 @@ constexpr std::array<Fill, 10> kFills{{{Archetype::Block, "#e4e2dc"},
                                        {Archetype::Fixture, "#cfcdc7"}}};
 
 /// The tables' words for colors, in shades that sit well together.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 19> kColours{{{"white", "#fbfaf6"},
-                                                                                  {"grey", "#a4a4a4"},
-                                                                                  {"silver", "#c2c6ca"},
-                                                                                  {"black", "#3f3f42"},
-                                                                                  {"clear", "#dcecf0"},
-                                                                                  {"transparent", "#dcecf0"},
-                                                                                  {"red", "#c8483f"},
-                                                                                  {"green", "#5f9a58"},
-                                                                                  {"blue", "#4a78b5"},
-                                                                                  {"yellow", "#e6c34a"},
-                                                                                  {"orange", "#e08f3c"},
-                                                                                  {"brown", "#8f6440"},
-                                                                                  {"pink", "#e2a0b2"},
-                                                                                  {"purple", "#8a6aa8"},
-                                                                                  {"beige", "#e5d9bd"},
-                                                                                  {"gold", "#d3ab45"},
-                                                                                  {"tan", "#cfae83"},
-                                                                                  {"turquoise", "#58b3ad"},
-                                                                                  {"olive", "#87884a"}}};
-constexpr std::string_view kUnknownColour = "#d8b48a";
+constexpr std::array<std::pair<std::string_view, std::string_view>, 19> kColors{{{"white", "#fbfaf6"},
+                                                                                 {"grey", "#a4a4a4"},
+                                                                                 {"silver", "#c2c6ca"},
+                                                                                 {"black", "#3f3f42"},
+                                                                                 {"clear", "#dcecf0"},
+                                                                                 {"transparent", "#dcecf0"},
+                                                                                 {"red", "#c8483f"},
+                                                                                 {"green", "#5f9a58"},
+                                                                                 {"blue", "#4a78b5"},
+                                                                                 {"yellow", "#e6c34a"},
+                                                                                 {"orange", "#e08f3c"},
+                                                                                 {"brown", "#8f6440"},
+                                                                                 {"pink", "#e2a0b2"},
+                                                                                 {"purple", "#8a6aa8"},
+                                                                                 {"beige", "#e5d9bd"},
+                                                                                 {"gold", "#d3ab45"},
+                                                                                 {"tan", "#cfae83"},
+                                                                                 {"turquoise", "#58b3ad"},
+                                                                                 {"olive", "#87884a"}}};
+constexpr std::string_view kUnknownColor = "#d8b48a";
 
-std::string_view colour_of(const Node& node) {
+std::string_view color_of(const Node& node) {
   const auto found =
-      std::find_if(kColours.begin(), kColours.end(), [&](const auto& known) { return known.first == node.colour; });
-  return found == kColours.end() ? kUnknownColour : found->second;
+      std::find_if(kColors.begin(), kColors.end(), [&](const auto& known) { return known.first == node.color; });
+  return found == kColors.end() ? kUnknownColor : found->second;
 }
 
 std::string_view fill_of(Archetype archetype) {
   const auto found =
       std::find_if(kFills.begin(), kFills.end(), [&](const Fill& f) { return f.archetype == archetype; });
-  return found == kFills.end() ? "#e4e2dc" : found->colour;
+  return found == kFills.end() ? "#e4e2dc" : found->color;
 }
 
 /// Lines in a node's frame, as shares of its half size: (-1, -1) is the front left corner.
@@ -154,7 +154,7 @@ void draw_furniture(SvgCanvas& canvas, const Node& node) {
 }
 
 void draw_object(SvgCanvas& canvas, const Node& node, bool hidden) {
-  std::string style = "fill=\"" + std::string(colour_of(node)) + "\" stroke=\"#4d4437\" stroke-width=\"0.9\"";
+  std::string style = "fill=\"" + std::string(color_of(node)) + "\" stroke=\"#4d4437\" stroke-width=\"0.9\"";
   if (hidden) style += " opacity=\"0.35\"";
   canvas.begin_group(node.id);
   if (is_round(node.archetype)) {

@@ -192,7 +192,7 @@ FoundPlace find_place(Workspace& workspace, const Node& node, std::size_t index,
     }
     const Vec2 slack = surface.half - footprint->half;
     const Vec2 room = (slack - Vec2::Constant(kEdgeMargin_m)).cwiseMax(slack / 2);
-    const Vec3 on_surface = surface.centre + Vec3(rng.uniform(-1, 1) * room.x(), rng.uniform(-1, 1) * room.y(),
+    const Vec3 on_surface = surface.center + Vec3(rng.uniform(-1, 1) * room.x(), rng.uniform(-1, 1) * room.y(),
                                                   node.size.z() / 2 + kDropHeight_m);
     const Pose frame = host.pose * joint_motion(host_shape, surface.joint, host.opening);
     const Pose pose = frame * upright(on_surface, footprint->yaw);
@@ -206,13 +206,13 @@ FoundPlace find_place_on_floor(Workspace& workspace, const Node& node, std::size
                                const PlacementOptions& options, Rng rng) {
   FoundPlace found;
   found.obstacle = "does not fit on the floor there";
-  const Vec2 centre = (area.low + area.high).head<2>() / 2, half = (area.high - area.low).head<2>() / 2;
+  const Vec2 center = (area.low + area.high).head<2>() / 2, half = (area.high - area.low).head<2>() / 2;
   TrialNode trial(workspace, node, index);
   for (int draw = 0; draw < options.draws; ++draw) {
     const auto footprint = draw_footprint(node.size, half, rng);
     if (!footprint) continue;
     const Vec2 slack = half - footprint->half;
-    const Vec2 at = centre + Vec2(rng.uniform(-1, 1) * slack.x(), rng.uniform(-1, 1) * slack.y());
+    const Vec2 at = center + Vec2(rng.uniform(-1, 1) * slack.x(), rng.uniform(-1, 1) * slack.y());
     const Pose pose = upright({at.x(), at.y(), node.size.z() / 2 + kDropHeight_m}, footprint->yaw);
     found.pose = try_pose(workspace, node.opening, trial, pose, std::nullopt, std::nullopt, options, found.obstacle);
     if (found.pose) return found;

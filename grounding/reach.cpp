@@ -41,7 +41,7 @@ std::vector<Vec2> places_by(const Node& node, const Walk& walk, const Profile& p
   for (int y = from.y; y <= to.y; ++y) {
     for (int x = from.x; x <= to.x; ++x) {
       if (!walk.reached.has(x, y)) continue;
-      const Vec2 at = grid.centre({x, y});
+      const Vec2 at = grid.center({x, y});
       if (reach_distance(node, at, profile) <= profile.reach_m) places.push_back(at);
     }
   }
@@ -185,7 +185,7 @@ bool Reach::room(const Room& room) const {
   const NavigationGrid& grid = walk_->grid;
   for (int y = 0; y < grid.height(); ++y) {
     for (int x = 0; x < grid.width(); ++x) {
-      if (walk_->reached.has(x, y) && contains(room.polygon, grid.centre({x, y}))) return true;
+      if (walk_->reached.has(x, y) && contains(room.polygon, grid.center({x, y}))) return true;
     }
   }
   return false;

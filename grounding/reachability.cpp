@@ -21,7 +21,7 @@ bool reached_from_the_front(const Scene& scene, const PhysicsWorld& world, const
     const Vec3 spot = node.pose * Vec3(0, -node.size.y() / 2 - away, 0);
     const auto cell = grid.cell_at(spot.head<2>());
     if (!walk.reached.has(cell.x, cell.y)) continue;
-    const Vec2 at = grid.centre(cell);
+    const Vec2 at = grid.center(cell);
     if (reach_distance(node, at, profile) > profile.reach_m - kReachReserve_m) continue;
     if (in_door_sweep(node, at, profile)) continue;
     if (sees(scene, world, profile, at, index)) return true;
@@ -45,11 +45,11 @@ bool is_reached(const Scene& scene, const Room& room, const Walk& walk) {
   int open = 0, reached = 0;
   if (is_rectangle(room, bounds)) {
     const auto column_inside = [&](int x) {
-      const double at = grid.centre({x, from.y}).x();
+      const double at = grid.center({x, from.y}).x();
       return at > bounds.low.x() && at < bounds.high.x();
     };
     const auto row_inside = [&](int y) {
-      const double at = grid.centre({from.x, y}).y();
+      const double at = grid.center({from.x, y}).y();
       return at > bounds.low.y() && at < bounds.high.y();
     };
     int left = std::max(0, from.x), right = std::min(grid.width() - 1, to.x);
@@ -71,7 +71,7 @@ bool is_reached(const Scene& scene, const Room& room, const Walk& walk) {
   } else {
     for (int y = from.y; y <= to.y; ++y) {
       for (int x = from.x; x <= to.x; ++x) {
-        if (!grid.free({x, y}) || !contains(room.polygon, grid.centre({x, y}))) continue;
+        if (!grid.free({x, y}) || !contains(room.polygon, grid.center({x, y}))) continue;
         ++open;
         if (walk.reached.has(x, y)) ++reached;
       }
@@ -92,9 +92,9 @@ bool stand_at_entrance(Scene& scene, const NavigationGrid& grid) {
   const auto entrance = entrance_of(scene.rooms);
   if (!entrance) return false;
   const auto cell = grid.nearest_free(entrance->at + kInsideTheDoor_m * entrance->inward);
-  if (!cell || !contains(scene.rooms.front().polygon, grid.centre(*cell))) return false;
+  if (!cell || !contains(scene.rooms.front().polygon, grid.center(*cell))) return false;
   scene.agent = {};
-  scene.agent.position = grid.centre(*cell);
+  scene.agent.position = grid.center(*cell);
   scene.agent.yaw = std::atan2(entrance->inward.y(), entrance->inward.x());
   return true;
 }

@@ -28,7 +28,7 @@ std::vector<FurniturePosition> usual_places(const Node& node) {
                      (node.archetype == Archetype::Shelf && node.size.z() < 0.5);
   std::vector<FurniturePosition> places;
   for (const auto kind :
-       {FurniturePosition::Kind::Wall, FurniturePosition::Kind::Corner, FurniturePosition::Kind::Centre})
+       {FurniturePosition::Kind::Wall, FurniturePosition::Kind::Corner, FurniturePosition::Kind::Center})
     places.push_back({.kind = kind, .host = {}, .height_m = {}});
   if (hangs) places = {{.kind = FurniturePosition::Kind::WallHung, .host = {}, .height_m = {}}};
   return places;
@@ -323,8 +323,8 @@ bool SceneEditor::move_agent(const std::string& room, bool into) {
     if ((candidate.id == room) != into) continue;
     const Bounds bounds = room_bounds(candidate, 0);
     const auto cell = grid.nearest_free(((bounds.low + bounds.high) / 2).head<2>());
-    if (!cell || !contains(candidate.polygon, grid.centre(*cell))) continue;
-    workspace_.agent().position = grid.centre(*cell);
+    if (!cell || !contains(candidate.polygon, grid.center(*cell))) continue;
+    workspace_.agent().position = grid.center(*cell);
     stale_ = true;
     return true;
   }

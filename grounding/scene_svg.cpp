@@ -144,7 +144,7 @@ class Drawing {
     });
     Label label{words_of_id(room.id), {17, 14, 11, 9}, {}, 1e9};
     for (const Vec2& point : points) {
-      if (inside_polygon(room.polygon, point)) label.centres_px.push_back(canvas_.pixels(point));
+      if (inside_polygon(room.polygon, point)) label.centers_px.push_back(canvas_.pixels(point));
     }
     return label;
   }
@@ -158,14 +158,14 @@ class Drawing {
       std::erase_if(label.sizes_px,
                     [&](double size) { return text_extent_px(label.words, size).x() > box.size.x() + 2; });
       for (const double y : {0.0, -0.25, 0.25, -0.4, 0.4})
-        label.centres_px.emplace_back(box.centre.x(), box.centre.y() + y * (box.size.y() - least.y()));
+        label.centers_px.emplace_back(box.center.x(), box.center.y() + y * (box.size.y() - least.y()));
       return label;
     }
     label.sizes_px = {8, 6.5};
     for (const double side : {1.0, -1.0}) {
-      const LabelBox beside{box.centre + Vec2(0, side * (box.size.y() / 2 + 6)), text_extent_px(label.words, 8)};
+      const LabelBox beside{box.center + Vec2(0, side * (box.size.y() / 2 + 6)), text_extent_px(label.words, 8)};
       const auto covers = [&](const LabelBox& other) { return overlap(beside, other); };
-      if (std::none_of(solid.begin(), solid.end(), covers)) label.centres_px.push_back(beside.centre);
+      if (std::none_of(solid.begin(), solid.end(), covers)) label.centers_px.push_back(beside.center);
     }
     return label;
   }
@@ -188,7 +188,7 @@ class Drawing {
       if (!rooms[i]) continue;
       const std::string ink(look_of(scene_.rooms[i].type).ink);
       write(names[i].words, *rooms[i], "fill=\"" + ink + "\" font-weight=\"600\"");
-      names[i] = {names[i].words, {rooms[i]->size_px}, {rooms[i]->centre_px}, 1e9};  // stays where it is
+      names[i] = {names[i].words, {rooms[i]->size_px}, {rooms[i]->center_px}, 1e9};  // stays where it is
     }
     std::vector<const Node*> largest = furniture;
     std::stable_sort(largest.begin(), largest.end(),
@@ -204,8 +204,8 @@ class Drawing {
   }
 
   void write(const std::string& words, const PlacedLabel& place, const std::string& style) {
-    const Vec2 metres = place.centre_px / SvgCanvas::kPixelsPerMetre;
-    canvas_.text({extent_.low.x() + metres.x(), extent_.high.y() - metres.y()}, place.size_px, style, words);
+    const Vec2 meters = place.center_px / SvgCanvas::kPixelsPerMeter;
+    canvas_.text({extent_.low.x() + meters.x(), extent_.high.y() - meters.y()}, place.size_px, style, words);
   }
 
   void agent() {
@@ -256,7 +256,7 @@ class Drawing {
     const std::string summary = scene_.id + ": " + std::to_string(scene_.rooms.size()) + " rooms, " +
                                 std::to_string(furniture) + " pieces of furniture, " + std::to_string(objects) +
                                 " objects";
-    const double half_m = text_extent_px(summary, 11).x() / 2 / SvgCanvas::kPixelsPerMetre;
+    const double half_m = text_extent_px(summary, 11).x() / 2 / SvgCanvas::kPixelsPerMeter;
     canvas_.text(left + Vec2(1.3 + half_m, -0.02), 11, "fill=\"#6f6b62\"", summary);
   }
 

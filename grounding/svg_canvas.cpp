@@ -21,7 +21,7 @@ std::string attributes(std::string_view style) { return style.empty() ? "" : " "
 }  // namespace
 
 SvgCanvas::SvgCanvas(const Vec2& low, const Vec2& high, std::string_view title) : low_(low), high_(high) {
-  const Vec2 size = (high_ - low_) * kPixelsPerMetre;
+  const Vec2 size = (high_ - low_) * kPixelsPerMeter;
   svg_ = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + px(size.x()) + "\" height=\"" + px(size.y()) +
          "\" viewBox=\"0 0 " + px(size.x()) + " " + px(size.y()) +
          "\" font-family=\"Helvetica, Arial, sans-serif\">\n<title>" + escaped(title) + "</title>\n" +
@@ -29,7 +29,7 @@ SvgCanvas::SvgCanvas(const Vec2& low, const Vec2& high, std::string_view title) 
 }
 
 Vec2 SvgCanvas::pixels(const Vec2& point) const {
-  return {(point.x() - low_.x()) * kPixelsPerMetre, (high_.y() - point.y()) * kPixelsPerMetre};
+  return {(point.x() - low_.x()) * kPixelsPerMeter, (high_.y() - point.y()) * kPixelsPerMeter};
 }
 
 std::string SvgCanvas::coordinates(const std::vector<Vec2>& points) const {
@@ -49,21 +49,21 @@ void SvgCanvas::line(const std::vector<Vec2>& points, std::string_view style) {
   svg_ += "<polyline points=\"" + coordinates(points) + "\" fill=\"none\"" + attributes(style) + "/>\n";
 }
 
-void SvgCanvas::circle(const Vec2& centre, double radius, std::string_view style) {
-  const Vec2 p = pixels(centre);
-  svg_ += "<circle cx=\"" + px(p.x()) + "\" cy=\"" + px(p.y()) + "\" r=\"" + px(radius * kPixelsPerMetre) + "\"" +
+void SvgCanvas::circle(const Vec2& center, double radius, std::string_view style) {
+  const Vec2 p = pixels(center);
+  svg_ += "<circle cx=\"" + px(p.x()) + "\" cy=\"" + px(p.y()) + "\" r=\"" + px(radius * kPixelsPerMeter) + "\"" +
           attributes(style) + "/>\n";
 }
 
-void SvgCanvas::pill(const Vec2& centre, const Vec2& size_px, std::string_view style) {
-  const Vec2 p = pixels(centre);
+void SvgCanvas::pill(const Vec2& center, const Vec2& size_px, std::string_view style) {
+  const Vec2 p = pixels(center);
   svg_ += "<rect x=\"" + px(p.x() - size_px.x() / 2) + "\" y=\"" + px(p.y() - size_px.y() / 2) + "\" width=\"" +
           px(size_px.x()) + "\" height=\"" + px(size_px.y()) + "\" rx=\"" + px(size_px.minCoeff() / 2) + "\"" +
           attributes(style) + "/>\n";
 }
 
-void SvgCanvas::text(const Vec2& centre, double size_px, std::string_view style, std::string_view words) {
-  const Vec2 p = pixels(centre);
+void SvgCanvas::text(const Vec2& center, double size_px, std::string_view style, std::string_view words) {
+  const Vec2 p = pixels(center);
   svg_ += "<text x=\"" + px(p.x()) + "\" y=\"" + px(p.y()) + "\" font-size=\"" + px(size_px) +
           "\" text-anchor=\"middle\" dominant-baseline=\"central\"" + attributes(style) + ">" + escaped(words) +
           "</text>\n";

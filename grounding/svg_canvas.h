@@ -11,7 +11,7 @@ namespace unietp {
 /// An SVG under way. Points are meters in W seen from above, +y up; lengths named _px are pixels of the picture.
 class SvgCanvas {
  public:
-  static constexpr double kPixelsPerMetre = 80;
+  static constexpr double kPixelsPerMeter = 80;
 
   /// The part of W from `low` to `high`.
   SvgCanvas(const Vec2& low, const Vec2& high, std::string_view title);
@@ -22,11 +22,11 @@ class SvgCanvas {
   void polygon(const std::vector<Vec2>& corners, std::string_view style);
   /// An open line through the points, and a circle; `radius` is in meters.
   void line(const std::vector<Vec2>& points, std::string_view style);
-  void circle(const Vec2& centre, double radius, std::string_view style);
+  void circle(const Vec2& center, double radius, std::string_view style);
   /// A rectangle with round corners, its size in pixels.
-  void pill(const Vec2& centre, const Vec2& size_px, std::string_view style);
+  void pill(const Vec2& center, const Vec2& size_px, std::string_view style);
   /// Centered on the point, in both directions.
-  void text(const Vec2& centre, double size_px, std::string_view style, std::string_view words);
+  void text(const Vec2& center, double size_px, std::string_view style, std::string_view words);
 
   /// What follows belongs together; a pointer that rests on it shows the words.
   void begin_group(std::string_view words);

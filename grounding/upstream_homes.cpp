@@ -36,8 +36,8 @@ struct Names {
 };
 
 /// Unity's axes (y up) in ours (z up); mirrored, which no statistic sees.
-Bounds box_of(const Json& centre, const Json& size) {
-  const Vec3 c(centre.at(0).get<double>(), centre.at(2).get<double>(), centre.at(1).get<double>());
+Bounds box_of(const Json& center, const Json& size) {
+  const Vec3 c(center.at(0).get<double>(), center.at(2).get<double>(), center.at(1).get<double>());
   const Vec3 s(size.at(0).get<double>(), size.at(2).get<double>(), size.at(1).get<double>());
   return {c - s / 2, c + s / 2};
 }

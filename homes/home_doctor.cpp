@@ -12,9 +12,9 @@
 namespace unietp {
 namespace {
 
-std::string centimetres(double metres) {
+std::string centimeters(double meters) {
   std::array<char, 32> text{};
-  (void)std::snprintf(text.data(), text.size(), "%.1f cm", 100 * metres);
+  (void)std::snprintf(text.data(), text.size(), "%.1f cm", 100 * meters);
   return text.data();
 }
 
@@ -25,7 +25,7 @@ struct Line {
 
 std::string with_other(std::string text, std::string_view word, const std::string& other, double by_m) {
   if (!other.empty()) text += " " + std::string(word) + " " + other;
-  if (by_m > 0) text += ", " + centimetres(by_m);
+  if (by_m > 0) text += ", " + centimeters(by_m);
   return text;
 }
 

@@ -31,7 +31,7 @@ double way_to_border(const std::vector<Vec2>& polygon, const Vec2& from, const V
 
 }  // namespace
 
-Facing facing_of_box(const Vec3& centre, const Vec3& extents, const Vec3& typical, bool against_walls,
+Facing facing_of_box(const Vec3& center, const Vec3& extents, const Vec3& typical, bool against_walls,
                      const std::vector<Vec2>& room) {
   const int lies = longer_side(extents.x(), extents.y()), should = longer_side(typical.x(), typical.y());
   Facing best;
@@ -41,7 +41,7 @@ Facing facing_of_box(const Vec3& centre, const Vec3& extents, const Vec3& typica
     if (lies * should != 0 && turned != (lies != should)) continue;
     const Vec2 back = quarter == 0 ? Vec2(0, 1) : quarter == 1 ? Vec2(-1, 0) : quarter == 2 ? Vec2(0, -1) : Vec2(1, 0);
     const double gap =
-        against_walls ? way_to_border(room, centre.head<2>(), back) - extents[turned ? 0 : 1] / 2 : quarter;
+        against_walls ? way_to_border(room, center.head<2>(), back) - extents[turned ? 0 : 1] / 2 : quarter;
     const bool first = best.size.isZero();
     if (!first && !(gap < least - 1e-3)) continue;  // of equal ones the first
     least = std::min(least, gap);

@@ -17,7 +17,7 @@ struct Facing {
 /// known, and nearly square ones do not say), and of the turns that are left, the one whose back is nearest to a wall
 /// of `room` when the thing stands `against_walls` (the front of furniture is where one reaches it from). The box in W
 /// is the same for every answer. `extents` along W's axes; `room` may be empty.
-Facing facing_of_box(const Vec3& centre, const Vec3& extents, const Vec3& typical, bool against_walls,
+Facing facing_of_box(const Vec3& center, const Vec3& extents, const Vec3& typical, bool against_walls,
                      const std::vector<Vec2>& room);
 
 /// Full extents in the object frame of a box whose bounds in W have `extents`, turned by `rotation`; nothing where the

@@ -15,7 +15,7 @@ void keep(std::vector<Board>& pieces, const Vec3& low, const Vec3& high, int joi
 
 Board board_between(const Vec3& low, const Vec3& high, int joint) { return {(low + high) / 2, high - low, joint}; }
 
-Bounds bounds_of(const Board& board) { return {board.centre - board.size / 2, board.centre + board.size / 2}; }
+Bounds bounds_of(const Board& board) { return {board.center - board.size / 2, board.center + board.size / 2}; }
 
 bool cut(std::vector<Board>& boards, const Bounds& hole) {
   std::vector<Board> left;

@@ -64,8 +64,8 @@ void come_to_rest(const SourceScene& source, std::size_t most_work, Draft& draft
     if (work == 0) break;
     if (restless.empty()) return;
     for (const Drift& one : restless) {
-      const long millimetres = std::lround(std::min(one.moved_m, 1000.0) * 1000);
-      fix(one.node, "it drifts " + std::to_string(millimetres) + " mm in two seconds of physics and is fixed in place");
+      const long millimeters = std::lround(std::min(one.moved_m, 1000.0) * 1000);
+      fix(one.node, "it drifts " + std::to_string(millimeters) + " mm in two seconds of physics and is fixed in place");
     }
   }
   fix_all("the home does not come to rest, and it is fixed in place with all the others");

@@ -48,11 +48,11 @@ class Holding {
 
 /// How far a node stands from where the file has it, meters.
 double off_by(const Draft& draft, std::size_t node) {
-  return (draft.scene.nodes[node].pose * draft.centre_in_node[node] - draft.file_centre[node]).norm();
+  return (draft.scene.nodes[node].pose * draft.center_in_node[node] - draft.file_center[node]).norm();
 }
 
-std::string millimetres(double metres) {
-  return metres < 1000 ? std::to_string(std::lround(metres * 1000)) + " mm" : "more than a kilometer";
+std::string millimeters(double meters) {
+  return meters < 1000 ? std::to_string(std::lround(meters * 1000)) + " mm" : "more than a kilometer";
 }
 
 /// Floors, walls and doors are there when some room's outline, wall or opening is.
@@ -78,7 +78,7 @@ int count_in_place(const SourceScene& source, Draft& draft, bool list) {
     } else if (list) {
       const SourceObject& object = source.objects[draft.source_of[i]];
       draft.report.issues.push_back(
-          {object.id, object.category, ImportReason::Moved, millimetres(off) + " from the file's pose"});
+          {object.id, object.category, ImportReason::Moved, millimeters(off) + " from the file's pose"});
     }
   }
   return near;

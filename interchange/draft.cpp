@@ -157,8 +157,8 @@ class Placer {
     node.id = id_for(object, category);
     node_of_[index] = draft_.scene.nodes.size();
     draft_.source_of.push_back(index);
-    draft_.file_centre.push_back(object.pose.position);
-    draft_.centre_in_node.push_back(inverse(node.pose) * object.pose.position);
+    draft_.file_center.push_back(object.pose.position);
+    draft_.center_in_node.push_back(inverse(node.pose) * object.pose.position);
     draft_.scene.nodes.push_back(std::move(node));
   }
 

@@ -35,8 +35,8 @@ struct DraftRepair {
 struct Draft {
   Scene scene;
   std::vector<std::size_t> source_of;  // of each node: position in SourceScene::objects
-  std::vector<Vec3> file_centre;       // of each node: middle of the file's box, W
-  std::vector<Vec3> centre_in_node;    // the same point in the node's frame, as it was placed
+  std::vector<Vec3> file_center;       // of each node: middle of the file's box, W
+  std::vector<Vec3> center_in_node;    // the same point in the node's frame, as it was placed
   std::vector<std::size_t> structure;  // floors, walls, doors: positions in SourceScene::objects
   std::vector<DraftRelation> relations;
   std::vector<DraftRepair> repairs;

@@ -131,8 +131,8 @@ class Evidence {
     Bounds hollow = unietp::bounds_of(in_f, nodes_[g].size);
     const double bottom = hollow.low.z();
     hollow.low.z() = bottom + 2 * kPad_m;
-    hollow.low = hollow.low.cwiseMax(cavity.centre - cavity.half);
-    hollow.high = hollow.high.cwiseMin(cavity.centre + cavity.half);
+    hollow.low = hollow.low.cwiseMax(cavity.center - cavity.half);
+    hollow.high = hollow.high.cwiseMin(cavity.center + cavity.half);
     hollow.high.z() = nodes_[f].size.z() / 2 + kTouching_m;
     const Vec3 half = nodes_[f].size / 2;
     std::vector<Board> boards{board_between(-half, half)};
@@ -172,7 +172,7 @@ class Evidence {
 
   std::vector<Bounds> drain(std::size_t f, std::size_t g) const {
     const Board bottom = bottom_of(nodes_[g]);
-    return {unietp::bounds_of(inverse(nodes_[f].pose) * nodes_[g].pose * Pose{bottom.centre, Quat::Identity()},
+    return {unietp::bounds_of(inverse(nodes_[f].pose) * nodes_[g].pose * Pose{bottom.center, Quat::Identity()},
                               bottom.size)};
   }
 
@@ -218,7 +218,7 @@ class Evidence {
       if (!move_surface(f, shape.surfaces[*surface], z, boards)) continue;
       changed = true;
       repairs_.push_back(
-          {f, RepairKind::Surface, level.front().node, std::abs(z - shape.surfaces[*surface].centre.z())});
+          {f, RepairKind::Surface, level.front().node, std::abs(z - shape.surfaces[*surface].center.z())});
     }
     return changed;
   }
@@ -230,11 +230,11 @@ class Evidence {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t s = 0; s < shape.surfaces.size(); ++s) {
       const Surface& surface = shape.surfaces[s];
-      const double rise = z - surface.centre.z();
+      const double rise = z - surface.center.z();
       const bool top = surface.cavity < 0 && surface.clearance > 1;
       if (taken[s] || rise > kRise_m || (!top && rise < -kInner_m)) continue;
       const bool over = std::any_of(level.begin(), level.end(), [&](const Standing& one) {
-        const Vec2 middle = ((one.box.low + one.box.high) / 2 - surface.centre).head<2>().cwiseAbs();
+        const Vec2 middle = ((one.box.low + one.box.high) / 2 - surface.center).head<2>().cwiseAbs();
         return (middle - surface.half).maxCoeff() < 0;
       });
       if (over && std::abs(rise) < least) best = s, least = std::abs(rise);
@@ -243,12 +243,12 @@ class Evidence {
   }
 
   bool move_surface(std::size_t f, const Surface& surface, double z, std::vector<Board>& boards) const {
-    const double rise = z - surface.centre.z();
+    const double rise = z - surface.center.z();
     if (std::abs(rise) < kTouching_m) return false;
     const bool top = surface.cavity < 0 && surface.clearance > 1;
     const double edge = top ? kEdge_m : 0.0;
     const Vec3 reach(surface.half.x() + edge, surface.half.y() + edge, 0);
-    const Vec3 low = surface.centre - reach, high = surface.centre + reach;
+    const Vec3 low = surface.center - reach, high = surface.center + reach;
     if (rise > 0) {
       boards.push_back(board_between(low, Vec3(high.x(), high.y(), z), surface.joint));
       return true;
@@ -300,7 +300,7 @@ class Evidence {
   int moves_with(std::size_t f, const Bounds& box) const {
     const Vec3 middle = (box.low + box.high) / 2;
     for (const Cavity& cavity : shapes(nodes_[f]).cavities) {
-      if (cavity.joint >= 0 && ((middle - cavity.centre).cwiseAbs() - cavity.half).maxCoeff() < 0) return cavity.joint;
+      if (cavity.joint >= 0 && ((middle - cavity.center).cwiseAbs() - cavity.half).maxCoeff() < 0) return cavity.joint;
     }
     return -1;
   }

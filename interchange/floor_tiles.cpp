@@ -131,19 +131,19 @@ std::vector<Tile> tiles_of(const std::vector<Vec2>& polygon) {
 
 Opening opening_in(const std::vector<Vec2>& polygon, const Tile& doorway) {
   Opening opening;
-  const Vec2 centre = (doorway.low + doorway.high) / 2, half = (doorway.high - doorway.low) / 2;
+  const Vec2 center = (doorway.low + doorway.high) / 2, half = (doorway.high - doorway.low) / 2;
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
     const Vec2 side = polygon[i] - polygon[j];
     const double length = side.norm();
     if (!(length > 1e-9)) continue;
     const Vec2 along = side / length;
-    const double at = std::clamp((centre - polygon[j]).dot(along), 0.0, length);
-    const double distance = (polygon[j] + along * at - centre).norm();
+    const double at = std::clamp((center - polygon[j]).dot(along), 0.0, length);
+    const double distance = (polygon[j] + along * at - center).norm();
     if (!(distance < nearest)) continue;
     nearest = distance;
     const double reach = half.dot(along.cwiseAbs());
-    const Vec2 middle = polygon[j] + along * (centre - polygon[j]).dot(along);
+    const Vec2 middle = polygon[j] + along * (center - polygon[j]).dot(along);
     opening.from = middle - along * reach;
     opening.to = middle + along * reach;
   }

@@ -183,7 +183,7 @@ class GltfFile {
 
   int material(const GltfMaterial& look) {
     Json json = {{"pbrMetallicRoughness",
-                  {{"baseColorFactor", {look.colour[0], look.colour[1], look.colour[2], look.opacity}},
+                  {{"baseColorFactor", {look.color[0], look.color[1], look.color[2], look.opacity}},
                    {"metallicFactor", look.metallic},
                    {"roughnessFactor", look.roughness}}}};
     if (look.opacity < 1) json["alphaMode"] = "BLEND";

@@ -12,7 +12,7 @@ namespace unietp {
 
 /// What light does on a surface, in the terms of glTF 2.0: color in linear RGB, all values from 0 to 1.
 struct GltfMaterial {
-  std::array<double, 3> colour{1, 1, 1};
+  std::array<double, 3> color{1, 1, 1};
   double opacity = 1, roughness = 1, metallic = 0;
 };
 

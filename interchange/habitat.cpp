@@ -252,7 +252,7 @@ Result<std::vector<SourceScene>> read_habitat(const std::string& where, std::str
                                               const SceneModels& models) {
   return read_homes(where, text, {"object_instances", "articulated_object_instances", "stage_instance", "objects"},
                     [&](JsonReader& reader, const JsonAt& home, std::string id) {
-                      if (given(home, "objects")) return read_labelled_boxes(reader, home, std::move(id), knowledge);
+                      if (given(home, "objects")) return read_labeled_boxes(reader, home, std::move(id), knowledge);
                       return HabitatImporter(reader, knowledge, facts, models).scene(home, std::move(id));
                     });
 }

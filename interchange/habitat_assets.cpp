@@ -25,25 +25,25 @@ Pose own_frame() { return {Vec3::Zero(), Quat(0, 0, std::sqrt(0.5), std::sqrt(0.
 /// W in Habitat's world: a quarter turn about x.
 Pose world_frame() { return {Vec3::Zero(), Quat(std::sqrt(0.5), -std::sqrt(0.5), 0, 0)}; }
 
-std::array<double, 3> linear(const Colour& srgb) {
-  std::array<double, 3> colour{};
+std::array<double, 3> linear(const Color& srgb) {
+  std::array<double, 3> color{};
   for (int i = 0; i < 3; ++i) {
     const double part = std::clamp(srgb[i] / 255, 0.0, 1.0);  // the transfer function of sRGB, IEC 61966-2-1
     const double value = part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4);
-    colour[static_cast<std::size_t>(i)] = std::round(value * 1e4) / 1e4;
+    color[static_cast<std::size_t>(i)] = std::round(value * 1e4) / 1e4;
   }
-  return colour;
+  return color;
 }
 
 /// The same for all nodes with one stand-in, though the camera shades each a little by its id.
-std::array<double, 3> colour_of(const Node& node) {
+std::array<double, 3> color_of(const Node& node) {
   Node any = node;
   any.id = node.category;
   return linear(paint_of(any));
 }
 
 GltfMaterial material_of(const Node& node) {
-  GltfMaterial look{colour_of(node)};
+  GltfMaterial look{color_of(node)};
   switch (matter_of(node)) {
     case Matter::Metal:
       look.metallic = 0.9, look.roughness = 0.35;
@@ -81,10 +81,10 @@ Json receptacles(const Shape& shape, bool with_links) {
   for (std::size_t i = 0; i < shape.surfaces.size(); ++i) {
     const Surface& surface = shape.surfaces[i];
     const std::string name = "receptacle_aabb_" + std::to_string(i);
-    Vec3 centre = surface.centre + Vec3(0, 0, kHalfHeight_m);
-    if (with_links && surface.joint >= 0) centre -= shape.joints[static_cast<std::size_t>(surface.joint)].anchor;
+    Vec3 center = surface.center + Vec3(0, 0, kHalfHeight_m);
+    if (with_links && surface.joint >= 0) center -= shape.joints[static_cast<std::size_t>(surface.joint)].anchor;
     Json one = {{"name", name},
-                {"position", numbers(own_frame() * centre)},
+                {"position", numbers(own_frame() * center)},
                 {"scale", numbers(lengths_to_habitat({surface.half.x(), surface.half.y(), kHalfHeight_m}))},
                 {"up", {0, 1, 0}}};
     if (with_links) one["parent_link"] = link_of(surface.joint);
@@ -127,7 +127,7 @@ std::vector<AssetFile> articulated(const Node& node, const std::string& name) {
       {"urdf_filepath", name + ".urdf"}, {"render_mode", "link_visuals"}, {"user_defined", std::move(own)}};
   const std::string folder = "urdf/" + name + "/" + name;
   return {{folder + ".ao_config.json", text_of(config)},
-          {folder + ".urdf", write_urdf(name, shape, node.size, node.mass, own_frame(), colour_of(node))}};
+          {folder + ".urdf", write_urdf(name, shape, node.size, node.mass, own_frame(), color_of(node))}};
 }
 
 Part box_part(const Pose& pose, const Vec3& size) { return {Part::Kind::Box, pose, size}; }
@@ -139,13 +139,13 @@ std::string habitat_stand_in_name(const Node& node) {
   for (const double side : {node.size.x(), node.size.y(), node.size.z()}) {
     name += "_" + std::to_string(std::lround(side * 1000));
   }
-  for (const std::string& word : {node.colour, node.material}) {
+  for (const std::string& word : {node.color, node.material}) {
     if (!word.empty()) name += "_" + word;
   }
   if (!node.boards.empty()) {
     std::string boards;
     for (const Board& board : node.boards) {
-      for (const Vec3& v : {board.centre, board.size}) {
+      for (const Vec3& v : {board.center, board.size}) {
         for (const double value : v) boards += std::to_string(std::lround(value * 1000)) + " ";
       }
       boards += std::to_string(board.joint) + ";";
@@ -168,8 +168,8 @@ std::vector<AssetFile> habitat_stand_in(const Node& node) {
 std::vector<AssetFile> habitat_stage(const Scene& scene) {
   constexpr double kFloor_m = 0.1;
   std::vector<GltfMesh> meshes;
-  const auto add = [&](const Part& part, std::string name, const Colour& colour) {
-    meshes.push_back(mesh_of(part, world_frame() * part.pose, std::move(name), {linear(colour)}));
+  const auto add = [&](const Part& part, std::string name, const Color& color) {
+    meshes.push_back(mesh_of(part, world_frame() * part.pose, std::move(name), {linear(color)}));
   };
   for (const Room& room : scene.rooms) {
     const Bounds bounds = room_bounds(room, 0);

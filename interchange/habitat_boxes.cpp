@@ -8,7 +8,7 @@
 
 namespace unietp {
 
-SourceScene read_labelled_boxes(JsonReader& reader, const JsonAt& home, std::string id, const Knowledge& knowledge) {
+SourceScene read_labeled_boxes(JsonReader& reader, const JsonAt& home, std::string id, const Knowledge& knowledge) {
   SourceScene scene;
   scene.id = std::move(id);
   scene.simulator = Simulator::Habitat;
@@ -21,9 +21,9 @@ SourceScene read_labelled_boxes(JsonReader& reader, const JsonAt& home, std::str
     SourceObject object;
     object.id = "box_" + std::to_string(i);
     if (const auto f = given(at, "category")) object.category = reader.text(*f);
-    const auto centre = fields.required("center"), size = fields.required("size");
-    if (!centre || !size) break;
-    object.pose.position = reader.vec3(*centre);
+    const auto center = fields.required("center"), size = fields.required("size");
+    if (!center || !size) break;
+    object.pose.position = reader.vec3(*center);
     const Vec3 extents = reader.vec3(*size);
     if (!reader.error() && extents.minCoeff() < 0) reader.fail(*size, "expected three lengths >= 0");
     const Category* category = knowledge.find(object.category);

@@ -11,6 +11,6 @@ namespace unietp {
 /// A list of labeled boxes along the axes, `{"objects": [{"category", "name", "center", "size"}]}`, as HSSD scenes are
 /// given for perception: already z up, so its axes are those of W. Which way a thing faces is told by its longer side
 /// and, there being no rooms, by nothing else.
-SourceScene read_labelled_boxes(JsonReader& reader, const JsonAt& home, std::string id, const Knowledge& knowledge);
+SourceScene read_labeled_boxes(JsonReader& reader, const JsonAt& home, std::string id, const Knowledge& knowledge);
 
 }  // namespace unietp

@@ -102,16 +102,16 @@ class Reader {
     if (const auto f = fields.find("rotation")) angles = vector_at(reader_, *f);
     const Quat facing = rotation_from_unity(angles);
     object.pose = {from_unity(position), facing};
-    Vec3 centre = position, extents = Vec3::Zero();
-    if (const auto f = fields.find("aabbCenter")) centre = vector_at(reader_, *f);
+    Vec3 center = position, extents = Vec3::Zero();
+    if (const auto f = fields.find("aabbCenter")) center = vector_at(reader_, *f);
     if (const auto f = fields.find("aabbSize")) extents = vector_at(reader_, *f);
     if (const auto f = fields.find("axisAlignedBoundingBox")) {
       const LooseFields box(reader_, *f);
-      if (const auto c = box.need("center")) centre = vector_at(reader_, *c);
+      if (const auto c = box.need("center")) center = vector_at(reader_, *c);
       if (const auto s = box.need("size")) extents = vector_at(reader_, *s);
     }
     if (extents.maxCoeff() > 0) {
-      const PosedBox box = box_within(from_unity(centre), from_unity(extents), facing);
+      const PosedBox box = box_within(from_unity(center), from_unity(extents), facing);
       object.pose = box.pose;
       object.size = box.size;
     }

@@ -23,8 +23,8 @@ double misfit(const Vec3& model, const Vec3& size) {
 }
 
 std::string box_text(const Vec3& size) {
-  const auto centimetres = [](double metres) { return number_text(std::round(metres * 1000) / 10); };
-  return centimetres(size.x()) + " x " + centimetres(size.y()) + " x " + centimetres(size.z()) + " cm";
+  const auto centimeters = [](double meters) { return number_text(std::round(meters * 1000) / 10); };
+  return centimeters(size.x()) + " x " + centimeters(size.y()) + " x " + centimeters(size.z()) + " cm";
 }
 
 /// The size of a model's box in the node's frame.

@@ -30,9 +30,9 @@ std::optional<Cell> widest_place(const NavigationGrid& grid) {
   }
   if (widest.empty()) return std::nullopt;
   Vec2 middle = Vec2::Zero();
-  for (const Cell& cell : widest) middle += grid.centre(cell) / static_cast<double>(widest.size());
+  for (const Cell& cell : widest) middle += grid.center(cell) / static_cast<double>(widest.size());
   return *std::min_element(widest.begin(), widest.end(), [&](const Cell& a, const Cell& b) {
-    return (grid.centre(a) - middle).squaredNorm() < (grid.centre(b) - middle).squaredNorm();
+    return (grid.center(a) - middle).squaredNorm() < (grid.center(b) - middle).squaredNorm();
   });
 }
 
@@ -42,7 +42,7 @@ void list_rooms_cut_off(const NavigationGrid& grid, Draft& draft) {
     bool reached = false;
     for (int y = 0; y < grid.height() && !reached; ++y) {
       for (int x = 0; x < grid.width() && !reached; ++x) {
-        reached = walk.has(x, y) && contains(room.polygon, grid.centre({x, y}));
+        reached = walk.has(x, y) && contains(room.polygon, grid.center({x, y}));
       }
     }
     if (!reached) {
@@ -63,7 +63,7 @@ void place_agent(const SourceScene& source, const Profile& profile, Draft& draft
   agent.held.clear();
   if (!sound || !grid.free(grid.cell_at(agent.position))) {
     const auto place = widest_place(grid);
-    if (place) agent.position = grid.centre(*place);
+    if (place) agent.position = grid.center(*place);
   }
   list_rooms_cut_off(grid, draft);
 }

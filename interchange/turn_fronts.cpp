@@ -80,7 +80,7 @@ void turn_fronts(const SourceScene& source, const FormatFacts& facts, Draft& dra
       if (fronts.is_shut(i, other)) continue;
       const Vec3 moved = other.pose * Vec3(0, -other.size.y() / 2, 0) - node.pose * Vec3(0, -node.size.y() / 2, 0);
       draft.repairs.push_back({i, RepairKind::Turned, std::nullopt, moved.norm()});
-      draft.centre_in_node[i] = inverse(other.pose) * draft.file_centre[i];
+      draft.center_in_node[i] = inverse(other.pose) * draft.file_center[i];
       draft.scene.nodes.edit(i) = std::move(other);
       break;
     }

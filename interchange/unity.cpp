@@ -62,8 +62,8 @@ Agent agent_from_unity(const Vec3& position, double yaw, double horizon) {
 double agent_yaw_to_unity(const Agent& agent) { return in_circle(90 - agent.yaw / kDegree); }
 
 std::optional<PosedBox> box_of_corners(const std::array<Vec3, 8>& corners, const Quat& facing) {
-  Vec3 centre = Vec3::Zero();
-  for (const Vec3& corner : corners) centre += corner / 8;
+  Vec3 center = Vec3::Zero();
+  for (const Vec3& corner : corners) center += corner / 8;
   std::vector<Vec3> ways;
   for (std::size_t i = 1; i < corners.size(); ++i) ways.push_back(corners[i] - corners[0]);
   std::sort(ways.begin(), ways.end(), [](const Vec3& a, const Vec3& b) { return a.norm() < b.norm(); });
@@ -91,22 +91,22 @@ std::optional<PosedBox> box_of_corners(const std::array<Vec3, 8>& corners, const
   box.size[0] = left.front().norm();
   axes.col(1) = (axes.col(1) - axes.col(2) * axes.col(2).dot(axes.col(1))).normalized();
   axes.col(0) = axes.col(1).cross(axes.col(2));
-  box.pose = {centre, Quat(axes).normalized()};
+  box.pose = {center, Quat(axes).normalized()};
   const Vec3 reach = bounds_of(Pose{Vec3::Zero(), box.pose.rotation}, box.size).high;
   for (const Vec3& corner : corners) {
-    if (((corner - centre).cwiseAbs() - reach).maxCoeff() > 0.02 + 0.05 * box.size.maxCoeff()) return std::nullopt;
+    if (((corner - center).cwiseAbs() - reach).maxCoeff() > 0.02 + 0.05 * box.size.maxCoeff()) return std::nullopt;
   }
   return box;
 }
 
-PosedBox box_within(const Vec3& centre, const Vec3& extents, const Quat& facing) {
+PosedBox box_within(const Vec3& center, const Vec3& extents, const Quat& facing) {
   constexpr double kQuarter = std::numbers::pi / 2, kStraight_rad = 0.06;
   const double yaw = yaw_of(Pose{Vec3::Zero(), facing});
   const double quarters = std::round(yaw / kQuarter);
   const double off = yaw - quarters * kQuarter;
   const bool across = std::abs(std::lround(quarters)) % 2 == 1;
   const Vec3 straight = across ? Vec3(extents.y(), extents.x(), extents.z()) : extents;
-  const PosedBox snapped{upright(centre, quarters * kQuarter), straight};
+  const PosedBox snapped{upright(center, quarters * kQuarter), straight};
   if (std::abs(off) < kStraight_rad) return snapped;
   // straight.x = a cos + b sin, straight.y = a sin + b cos.
   const double c = std::cos(off), s = std::abs(std::sin(off)), determinant = c * c - s * s;
@@ -115,7 +115,7 @@ PosedBox box_within(const Vec3& centre, const Vec3& extents, const Quat& facing)
   const double b = (straight.y() * c - straight.x() * s) / determinant;
   constexpr double kLeast = 0.02;
   if (a < kLeast || b < kLeast) return snapped;
-  return {upright(centre, yaw), Vec3(a, b, extents.z())};
+  return {upright(center, yaw), Vec3(a, b, extents.z())};
 }
 
 }  // namespace unietp

@@ -41,6 +41,6 @@ std::optional<PosedBox> box_of_corners(const std::array<Vec3, 8>& corners, const
 
 /// The upright box that has this axis-aligned box around it (center and full extents, W), turned by the yaw of
 /// `facing`: exact at right angles, solved for others; near 45°, where there is no one answer, the axis-aligned box.
-PosedBox box_within(const Vec3& centre, const Vec3& extents, const Quat& facing);
+PosedBox box_within(const Vec3& center, const Vec3& extents, const Quat& facing);
 
 }  // namespace unietp

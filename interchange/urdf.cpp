@@ -48,8 +48,8 @@ double volume_of(const Shape& shape, int joint) {
 
 class UrdfWriter {
  public:
-  UrdfWriter(const Shape& shape, const Pose& to_file, const std::array<double, 3>& colour)
-      : shape_(shape), to_file_(to_file), colour_(colour) {}
+  UrdfWriter(const Shape& shape, const Pose& to_file, const std::array<double, 3>& color)
+      : shape_(shape), to_file_(to_file), color_(color) {}
 
   /// A link with the parts that move with a joint; its frame has its origin on the joint's axis.
   std::string link(int joint, const Vec3& size, double mass) const {
@@ -60,7 +60,7 @@ class UrdfWriter {
       const Pose pose = to_file_ * Pose{part.pose.position - from, part.pose.rotation};
       const std::string solid = "   " + origin(pose) + "\n   <geometry>" + geometry(part) + "</geometry>\n";
       text += "  <visual>\n" + solid + "   <material name=\"paint\"><color rgba=\"" +
-              numbers({colour_[0], colour_[1], colour_[2]}) + " 1\"/></material>\n  </visual>\n";
+              numbers({color_[0], color_[1], color_[2]}) + " 1\"/></material>\n  </visual>\n";
       text += "  <collision>\n" + solid + "  </collision>\n";
     }
     return text + " </link>\n";
@@ -101,14 +101,14 @@ class UrdfWriter {
 
   const Shape& shape_;
   const Pose& to_file_;
-  const std::array<double, 3>& colour_;
+  const std::array<double, 3>& color_;
 };
 
 }  // namespace
 
 std::string write_urdf(const std::string& name, const Shape& shape, const Vec3& size, double mass, const Pose& to_file,
-                       const std::array<double, 3>& colour) {
-  const UrdfWriter writer(shape, to_file, colour);
+                       const std::array<double, 3>& color) {
+  const UrdfWriter writer(shape, to_file, color);
   const auto joints = static_cast<int>(shape.joints.size());
   double whole = volume_of(shape, -1);
   for (int i = 0; i < joints; ++i) whole += volume_of(shape, i);

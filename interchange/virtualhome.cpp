@@ -28,8 +28,8 @@ bool is_agent(const VirtualhomeNode& node) { return node.category == "Characters
 bool is_floor(const VirtualhomeNode& node) { return lower(node.class_name) == "floor"; }
 
 Tile footprint(const VirtualhomeNode& node) {
-  const Vec3 centre = from_unity(node.centre), half = from_unity(node.extents) / 2;
-  return {(centre - half).head<2>(), (centre + half).head<2>()};
+  const Vec3 center = from_unity(node.center), half = from_unity(node.extents) / 2;
+  return {(center - half).head<2>(), (center + half).head<2>()};
 }
 
 /// What the models' and categories' sizes say of a node: its extents in the object frame, zero when not known.
@@ -91,8 +91,8 @@ class Importer {
         category != nullptr && (category->archetype == Archetype::Cabinet || category->archetype == Archetype::Vessel ||
                                 category->archetype == Archetype::Lidded);
     if (!on) return hollow ? SourceRelation::Kind::Inside : SourceRelation::Kind::OnOrInside;
-    const double low = object.centre.y() - object.extents.y() / 2;
-    const double high = receptacle.centre.y() + receptacle.extents.y() / 2;
+    const double low = object.center.y() - object.extents.y() / 2;
+    const double high = receptacle.center.y() + receptacle.extents.y() / 2;
     return low < high - kSunk_m ? SourceRelation::Kind::OnOrInside : SourceRelation::Kind::On;
   }
 
@@ -160,10 +160,10 @@ class Importer {
 
   double height_of_frame(const VirtualhomeNode& door) const {
     constexpr double kSamePlace_m = 0.3;
-    double top = door.centre.y() + door.extents.y() / 2;
+    double top = door.center.y() + door.extents.y() / 2;
     for (const VirtualhomeNode* other : doorways_) {
-      const Vec3 apart = from_unity(other->centre) - from_unity(door.centre);
-      if (apart.head<2>().norm() < kSamePlace_m) top = std::max(top, other->centre.y() + other->extents.y() / 2);
+      const Vec3 apart = from_unity(other->center) - from_unity(door.center);
+      if (apart.head<2>().norm() < kSamePlace_m) top = std::max(top, other->center.y() + other->extents.y() / 2);
     }
     return std::max(1.0, std::min(top, scene_.wall_height));
   }
@@ -181,7 +181,7 @@ class Importer {
       return;
     }
     scene_.has_agent = true;
-    scene_.agent.position = from_unity(node.centre).head<2>();
+    scene_.agent.position = from_unity(node.center).head<2>();
     const Vec3 forward = turn_from_unity(node.rotation) * Vec3::UnitY();
     scene_.agent.yaw = std::atan2(forward.y(), forward.x());
   }
@@ -225,7 +225,7 @@ class Importer {
   void place(const VirtualhomeNode& node, SourceObject& object) {
     const Vec3 extents = from_unity(node.extents);
     Typical typical = typical_of(node);
-    object.pose.position = from_unity(node.centre);
+    object.pose.position = from_unity(node.center);
     if (node.has_transform) {
       if (const auto size = size_of_prefab(node.prefab, node.class_name, knowledge_, facts_)) typical.model = *size;
       object.pose.rotation = object_rotation_from_unity(node.rotation, node.prefab);

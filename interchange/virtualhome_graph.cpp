@@ -21,12 +21,12 @@ long long id_at(JsonReader& reader, const JsonAt& at) {
 void read_box(JsonReader& reader, const JsonAt& node, VirtualhomeNode& into) {
   const auto box = given(node, "bounding_box");
   const JsonAt& holder = box ? *box : node;
-  const auto centre = given(holder, box ? "center" : "bbox_center");
+  const auto center = given(holder, box ? "center" : "bbox_center");
   const auto size = given(holder, box ? "size" : "bbox_size");
-  if (!centre && !size && !box) return;
-  if (!centre || !size) return reader.fail(holder, "expected a box with centre and size");
+  if (!center && !size && !box) return;
+  if (!center || !size) return reader.fail(holder, "expected a box with centre and size");
   into.has_box = true;
-  into.centre = reader.vec3(*centre);
+  into.center = reader.vec3(*center);
   into.extents = reader.vec3(*size);
   if (!reader.error() && into.extents.minCoeff() < 0) reader.fail(*size, "expected three lengths >= 0");
 }

@@ -14,7 +14,7 @@ struct VirtualhomeNode {
   std::string class_name, category, prefab;
   std::vector<std::string> states;
   bool has_box = false;
-  Vec3 centre = Vec3::Zero(), extents = Vec3::Zero();  // along the world's axes
+  Vec3 center = Vec3::Zero(), extents = Vec3::Zero();  // along the world's axes
   bool has_transform = false;
   Quat rotation = Quat::Identity();
   Vec3 scale = Vec3::Ones();

@@ -85,14 +85,14 @@ class Exporter {
   int add(const std::string& class_name, const std::string& group, const std::string& prefab, const Bounds& bounds,
           int id = 0) {
     if (id == 0) id = fresh_number();
-    const Vec3 centre = (bounds.low + bounds.high) / 2, extents = bounds.high - bounds.low;
+    const Vec3 center = (bounds.low + bounds.high) / 2, extents = bounds.high - bounds.low;
     nodes_.push_back({{"id", id},
                       {"class_name", class_name},
                       {"category", group},
                       {"prefab_name", prefab},
                       {"properties", Json::array()},
                       {"states", Json::array()},
-                      {"bounding_box", {{"center", json_of(to_unity(centre))}, {"size", json_of(to_unity(extents))}}}});
+                      {"bounding_box", {{"center", json_of(to_unity(center))}, {"size", json_of(to_unity(extents))}}}});
     return id;
   }
 

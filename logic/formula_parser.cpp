@@ -145,7 +145,7 @@ std::optional<Formula> FormulaParser::formula(const Sexpr& expression, const Pla
   if (const auto predicate = predicate_named(head.text)) return predicate_atom(info(*predicate), expression, place);
   const auto near = nearest_word(head.text);
   note(head, unknown_word(head.text, near));
-  // The parts of a misspelt operator are read, for what else is wrong with them.
+  // The parts of a misspelled operator are read, for what else is wrong with them.
   if (const auto* similar = operator_named(near)) operation(similar->op, expression, place);
   return std::nullopt;
 }
@@ -255,7 +255,7 @@ std::optional<Term> FormulaParser::argument(const PredicateInfo& predicate, std:
   if (kind == ArgumentKind::Symbol) {
     if (!expression.is_atom() || expression.text.front() == '?') {
       return note(expression, name + " must be a word such as " +
-                                  (predicate.predicate == Predicate::Colour ? "red" : "water") + ", found " +
+                                  (predicate.predicate == Predicate::Color ? "red" : "water") + ", found " +
                                   shown(expression));
     }
     return Term{Term::Kind::Symbol, expression.text};

@@ -317,7 +317,7 @@ std::string Report::atom_words(const Node& node) const {
       return is("filled with " + b);
     case Predicate::Covered:
       return is("covered with " + b);
-    case Predicate::Colour:
+    case Predicate::Color:
     case Predicate::Material:
     case Predicate::Size:
       return is("of " + std::string(info(node.predicate).name) + " " + b);

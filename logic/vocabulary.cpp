@@ -50,7 +50,7 @@ constexpr std::array<PredicateInfo, kPredicateCount> kPredicates = {{
     {Predicate::Read, "read", kObject, "the agent has read ?x"},
     {Predicate::Filled, "filled", kObjectSymbol, "?x holds this liquid; `any` asks for some liquid", "fillable"},
     {Predicate::Covered, "covered", kObjectSymbol, "?x is covered with this substance; `any` asks for some substance"},
-    {Predicate::Colour, "colour", kObjectSymbol, "?x has this color; fixed for a scene"},
+    {Predicate::Color, "colour", kObjectSymbol, "?x has this color; fixed for a scene"},
     {Predicate::Material, "material", kObjectSymbol, "?x is made of this; fixed for a scene"},
     {Predicate::Size, "size", kObjectSymbol, "?x has this size among its kind; fixed for a scene"},
     {Predicate::On, "on", kObjectObject, "?x rests on ?y"},

@@ -47,7 +47,7 @@ enum class Predicate : std::uint8_t {
   Filled,
   Covered,
   // attributes with a symbol, fixed for a scene
-  Colour,
+  Color,
   Material,
   Size,
   // relations of two objects

@@ -4,7 +4,7 @@
 
 Reads the goals that people wrote for ALFRED's demonstrations and writes `human_goals.csv` and `human_bigrams.csv`. Of the
 demonstrations every second one is used, and of the kinds of goals those that data sets of unietp have, too: all but
-`look_at_obj_in_light`. Only figures are written, and how often pairs of neighbouring words occur; pairs that occur once are
+`look_at_obj_in_light`. Only figures are written, and how often pairs of neighboring words occur; pairs that occur once are
 only counted, so that no sentence can be made again from them.
 """
 

@@ -183,7 +183,7 @@ std::vector<RecordedSource> read_sources(JsonReader& reader, const JsonAt& at) {
     RecordedSource source;
     if (const auto f = fields.required("source")) source.source = reader.text(*f);
     if (const auto f = fields.required("origin")) source.origin = reader.text(*f);
-    if (const auto f = fields.required("licence")) source.licence = reader.text(*f);
+    if (const auto f = fields.required("licence")) source.license = reader.text(*f);
     fields.finish();
     sources.push_back(std::move(source));
   }

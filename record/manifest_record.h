@@ -51,7 +51,7 @@ struct RecordedWriting {
 
 /// A source of facts with its license.
 struct RecordedSource {
-  std::string source, origin, licence;
+  std::string source, origin, license;
 };
 
 /// How evenly the tasks are distributed over the values of a dimension.

@@ -42,7 +42,7 @@ std::string words_of_atom(const Formula& atom, bool negated) {
       return first + is + "filled with " + second;
     case Predicate::Covered:
       return first + is + "covered with " + second;
-    case Predicate::Colour:
+    case Predicate::Color:
     case Predicate::Size:
       return first + is + second;
     case Predicate::Material:

@@ -61,7 +61,7 @@ std::vector<Agent> ends_of(const Room& room, const Walk& walk) {
   std::array<std::optional<Vec2>, 4> ends;
   for (int y = from.y; y <= to.y; ++y) {
     for (int x = from.x; x <= to.x; ++x) {
-      const Vec2 at = walk.grid.centre({x, y});
+      const Vec2 at = walk.grid.center({x, y});
       if (!walk.reached.has(x, y) || !contains(room.polygon, at)) continue;
       for (std::size_t i = 0; i < ends.size(); ++i) {
         const Vec2 way(kWays[i][0], kWays[i][1]);
@@ -115,7 +115,7 @@ Result<ShownHome> shown_home(const Scene& home, const Profile& profile, std::siz
     Scene from_there = home;
     from_there.agent = *best;
     const Picture picture = picture_of(from_there, camera, rays);
-    auto png = few_colours_png(picture.width, picture.height, picture.rgb);
+    auto png = few_colors_png(picture.width, picture.height, picture.rgb);
     if (!png) return png.error();
     shown.views.push_back({room.id, std::move(*png)});
   }

@@ -12,7 +12,7 @@
 namespace unietp {
 namespace {
 
-constexpr std::array<std::string_view, 3> kJudgements{"accept", "reject", "edit"};
+constexpr std::array<std::string_view, 3> kJudgments{"accept", "reject", "edit"};
 
 Review read_one(JsonReader& reader, const JsonAt& at) {
   JsonFields fields(reader, at);
@@ -21,16 +21,16 @@ Review read_one(JsonReader& reader, const JsonAt& at) {
   if (const auto f = fields.required("verdict")) {
     const auto name = reader.text(*f);
     std::size_t i = 0;
-    while (i < kJudgements.size() && kJudgements[i] != name) ++i;
-    if (i == kJudgements.size())
-      reader.unknown_name(*f, "verdict", {kJudgements.begin(), kJudgements.end()});
+    while (i < kJudgments.size() && kJudgments[i] != name) ++i;
+    if (i == kJudgments.size())
+      reader.unknown_name(*f, "verdict", {kJudgments.begin(), kJudgments.end()});
     else
-      review.judgement = static_cast<Judgement>(i);
+      review.judgment = static_cast<Judgment>(i);
   }
   if (const auto f = fields.required("instruction")) review.instruction = reader.text(*f);
   const auto text = fields.optional("text");
   if (text) review.text = trim(reader.text(*text));
-  const bool edit = review.judgement == Judgement::Edit;
+  const bool edit = review.judgment == Judgment::Edit;
   if (!reader.error() && edit == review.text.empty())
     reader.fail(at, edit ? "an edit needs a text" : "has a text, but the verdict is not an edit");
   if (const auto f = fields.required("comment")) {
@@ -46,7 +46,7 @@ Review read_one(JsonReader& reader, const JsonAt& at) {
 
 }  // namespace
 
-std::string_view name_of(Judgement judgement) { return kJudgements[static_cast<std::size_t>(judgement)]; }
+std::string_view name_of(Judgment judgment) { return kJudgments[static_cast<std::size_t>(judgment)]; }
 
 Result<std::vector<Review>> read_reviews(std::string_view where, std::string_view text) {
   const auto json = parse_json(where, text);

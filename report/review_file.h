@@ -9,13 +9,13 @@
 namespace unietp {
 
 /// The verdict of a reviewer.
-enum class Judgement { Accept, Reject, Edit };
-std::string_view name_of(Judgement judgement);  // "accept"
+enum class Judgment { Accept, Reject, Edit };
+std::string_view name_of(Judgment judgment);  // "accept"
 
 /// A person's review of a task.
 struct Review {
   std::string task;
-  Judgement judgement = Judgement::Accept;
+  Judgment judgment = Judgment::Accept;
   std::string instruction;  // that was judged
   std::string text;         // the corrected instruction; of an edit only
   std::string comment;

@@ -41,7 +41,7 @@ Result<StartPictures> pictures_of(const FinishedSet& set, const TaskRecord& task
   }
   Rays rays;
   const Picture seen = picture_of(*scene, camera, rays);
-  auto png = few_colours_png(seen.width, seen.height, seen.rgb);
+  auto png = few_colors_png(seen.width, seen.height, seen.rgb);
   if (!png) return png.error();
   return StartPictures{replace_all(scene_svg(*scene), "\n", ""), std::move(*png)};
 }

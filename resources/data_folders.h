@@ -24,7 +24,7 @@ struct DataFolders {
   std::filesystem::path benchmarks() const {
     return root / "data" / "benchmarks.csv";
   }  // resources/frozen_benchmarks.h
-  std::filesystem::path licences() const { return root / "data" / "licences.csv"; }
+  std::filesystem::path licenses() const { return root / "data" / "licences.csv"; }
   std::filesystem::path library() const { return root / "templates" / "library"; }
   std::filesystem::path extended() const { return root / "templates" / "extended"; }  // need not exist
   std::filesystem::path compiled() const { return root / "compiled"; }                // as installed; need not exist

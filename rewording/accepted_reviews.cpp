@@ -19,13 +19,13 @@ class Judge {
 
   /// Two passes over the tasks: which homes are edited is known after the first.
   Result<Done> read(const std::vector<Review>& reviews) {
-    std::map<std::string, Judgement> judged;
-    for (const Review& review : reviews) judged.emplace(review.task, review.judgement);
+    std::map<std::string, Judgment> judged;
+    for (const Review& review : reviews) judged.emplace(review.task, review.judgment);
     std::set<std::string> edited;  // homes
     const auto read = for_each_worded_task(context_.folder, {}, [&](WordedTask&& task) -> Result<Done> {
       const auto review = judged.find(task.record.id);
       if (review == judged.end()) return Done{};
-      if (review->second == Judgement::Edit) edited.insert(task.record.layout);
+      if (review->second == Judgment::Edit) edited.insert(task.record.layout);
       tasks_.insert_or_assign(task.record.id, std::move(task));
       return Done{};
     });
@@ -43,29 +43,29 @@ class Judge {
       const auto found = tasks_.find(review.task);
       if (found == tasks_.end()) {
         const auto before = context_.judged_before.find(review.task);
-        const bool gone = review.judgement == Judgement::Reject && before != context_.judged_before.end();
+        const bool gone = review.judgment == Judgment::Reject && before != context_.judged_before.end();
         if (gone) continue;  // rejected, and taken out before
         refuse("no such task");
         continue;
       }
       const WordedTask& task = found->second;
       const std::string& now = task.record.instruction;
-      const bool in_force = review.judgement == Judgement::Edit && now == review.text;
+      const bool in_force = review.judgment == Judgment::Edit && now == review.text;
       if (now != review.instruction && !in_force) {
         refuse("its text has changed: \"" + now + "\"");
         continue;
       }
       AcceptedReview ruling{&review, {}};
-      if (review.judgement == Judgement::Edit && !in_force) {
+      if (review.judgment == Judgment::Edit && !in_force) {
         auto text = rewritten(task, now, review.text, refuse);
         if (!text) return text.error();
         if (!*text) continue;
         ruling.rewritten = std::move(*text);
       }
       rulings.insert_or_assign(review.task, std::move(ruling));
-      ++(review.judgement == Judgement::Accept   ? report.accepted
-         : review.judgement == Judgement::Reject ? report.rejected
-                                                 : report.edited);
+      ++(review.judgment == Judgment::Accept   ? report.accepted
+         : review.judgment == Judgment::Reject ? report.rejected
+                                               : report.edited);
     }
     return rulings;
   }
@@ -83,7 +83,7 @@ class Judge {
       refuse("\"" + text + "\": " + join(checked.faults, "; "));
       return std::optional<Instruction>();
     }
-    if (normalised_text(text) != normalised_text(now) && !texts_.add(task.record.layout, text)) {
+    if (normalized_text(text) != normalized_text(now) && !texts_.add(task.record.layout, text)) {
       refuse("\"" + text + "\": another task of this home has this text");
       return std::optional<Instruction>();
     }

@@ -42,8 +42,8 @@ Result<Marks> read_marks(const fs::path& folder) {
 }
 
 ReviewMarkRecord mark_of(const Review& review) {
-  return {review.task, std::string(name_of(review.judgement)),
-          review.judgement == Judgement::Edit ? review.instruction : "", review.comment};
+  return {review.task, std::string(name_of(review.judgment)),
+          review.judgment == Judgment::Edit ? review.instruction : "", review.comment};
 }
 
 RejectionEntry rejection_of(const TaskRecord& task, const Review& review) {
@@ -84,7 +84,7 @@ class ReviewedSet {
                    bool keep_rejected) {
     const auto recorded = traits_.of(++row_, task.record.id);
     if (!recorded) return recorded.error();
-    const bool rejected = ruling.review != nullptr && ruling.review->judgement == Judgement::Reject;
+    const bool rejected = ruling.review != nullptr && ruling.review->judgment == Judgment::Reject;
     if (rejected && !keep_rejected) {
       rejections_.push_back(rejection_of(task.record, *ruling.review));
       return Done{};
@@ -105,7 +105,7 @@ class ReviewedSet {
   }
 
   Result<Done> finish(const Marks& marks, const RunConfiguration& configuration, const Resources& resources,
-                      const fs::path& licences, std::optional<WritingEntry> writing) {
+                      const fs::path& licenses, std::optional<WritingEntry> writing) {
     if (auto done = add_rejections(); !done) return done;
     auto lines = LinesWriter::begin(copy_ / kReviews);
     if (!lines) return lines.error();
@@ -116,7 +116,7 @@ class ReviewedSet {
     if (wordings_) {
       if (auto done = wordings_->finish(); !done) return done;
     }
-    return writer_.finish(configuration, resources, licences, std::move(writing));
+    return writer_.finish(configuration, resources, licenses, std::move(writing));
   }
 
  private:
@@ -187,7 +187,7 @@ Result<ApplyReport> apply_review(const fs::path& folder, const fs::path& out, co
       },
       [](Done&&) -> Result<Done> { return Done{}; });
   if (!added) return added.error();
-  if (auto done = set.finish(*marks, manifest->configuration, resources, options.licences, manifest->writing); !done)
+  if (auto done = set.finish(*marks, manifest->configuration, resources, options.licenses, manifest->writing); !done)
     return done.error();
   if (auto done = copy->finish(); !done) return done.error();
   return report;

@@ -14,7 +14,7 @@ namespace unietp {
 struct ApplyOptions {
   bool accept_unchecked = false;  // take edits whose text does not pass the checks, too
   bool keep_rejected = false;     // mark rejected tasks and leave them in
-  std::filesystem::path licences;
+  std::filesystem::path licenses;
 };
 
 /// Writes the data set in `folder` anew as people judged it, to `out` (which may be `folder`: it is replaced at once).

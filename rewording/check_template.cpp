@@ -27,7 +27,7 @@ Referring form_of(const Formula& test) {
       return Referring::ByNearness;
     case P::Size:
       return Referring::BySize;
-    case P::Colour:
+    case P::Color:
     case P::Material:
       return Referring::ByAttribute;
     default:

@@ -10,9 +10,9 @@
 namespace unietp {
 
 /// What the writer of a data set with this manifest puts into README.md and into the manifest's sources, for the
-/// validator. `licences`: the table of sources. Errors: Schema for a configuration or a source that is not known; those
+/// validator. `licenses`: the table of sources. Errors: Schema for a configuration or a source that is not known; those
 /// of sources_of.
 Result<DerivedFiles> expected_files(const ManifestRecord& manifest, const Resources& resources,
-                                    const std::filesystem::path& licences);
+                                    const std::filesystem::path& licenses);
 
 }  // namespace unietp

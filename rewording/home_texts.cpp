@@ -5,12 +5,12 @@
 namespace unietp {
 
 bool HomeTexts::add(const std::string& layout, const std::string& text) {
-  return homes_[layout].texts.insert(normalised_text(text)).second;
+  return homes_[layout].texts.insert(normalized_text(text)).second;
 }
 
 bool HomeTexts::contains(const std::string& layout, const std::string& text) const {
   const auto home = homes_.find(layout);
-  return home != homes_.end() && home->second.texts.contains(normalised_text(text));
+  return home != homes_.end() && home->second.texts.contains(normalized_text(text));
 }
 
 void HomeTexts::pass(const std::string& layout) {

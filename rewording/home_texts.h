@@ -7,7 +7,7 @@
 namespace unietp {
 
 /// The texts of a data set by home, which tell whether a text is new in its home. Texts that differ in case, spaces or
-/// punctuation only are equal (normalised_text). What is known of a home is forgotten after its last task.
+/// punctuation only are equal (normalized_text). What is known of a home is forgotten after its last task.
 class HomeTexts {
  public:
   /// One more task of the home will be passed. Homes of which none is expected are never forgotten.

@@ -31,8 +31,8 @@ std::vector<Formula> descriptions(const Scene& start, const Trace& trace, Entity
       if (facts.holds(place, entity, other)) found.push_back(at_place(place, variable, trace.entities[other].category));
   const auto node = std::find_if(start.nodes.begin(), start.nodes.end(),
                                  [&](const Node& one) { return one.id == trace.entities[entity].id; });
-  if (node != start.nodes.end() && !node->colour.empty())
-    found.push_back(atom_with_symbol(P::Colour, variable, node->colour));
+  if (node != start.nodes.end() && !node->color.empty())
+    found.push_back(atom_with_symbol(P::Color, variable, node->color));
   return found;
 }
 

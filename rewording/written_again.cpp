@@ -126,7 +126,7 @@ Result<Manifest> written_again(std::string_view where, const ManifestRecord& man
     again.counts.balance.push_back({*dimension, spread.values, spread.effective, spread.variation});
   }
   for (const auto& [path, file] : manifest.files) again.files[path] = {file.bytes, file.sha256};
-  for (const auto& source : manifest.sources) again.sources.push_back({source.source, source.origin, source.licence});
+  for (const auto& source : manifest.sources) again.sources.push_back({source.source, source.origin, source.license});
   again.writing = written_again(manifest.writing);
   return again;
 }

@@ -38,14 +38,14 @@ Result<Done> add_block(DatasetWriter& writer, const FilledBlock& block, int atte
 }
 
 Result<Done> assemble(const std::filesystem::path& folder, const RunConfiguration& configuration,
-                      const Resources& resources, const std::filesystem::path& licences,
+                      const Resources& resources, const std::filesystem::path& licenses,
                       const std::vector<FilledBlock>& blocks) {
   auto writer = DatasetWriter::begin(folder);
   if (!writer) return writer.error();
   for (const FilledBlock& block : blocks) {
     if (auto added = add_block(*writer, block, configuration.attempts); !added) return added.error();
   }
-  return writer->finish(configuration, resources, licences);
+  return writer->finish(configuration, resources, licenses);
 }
 
 }  // namespace unietp

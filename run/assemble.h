@@ -25,7 +25,7 @@ Result<Done> add_block(DatasetWriter& writer, const FilledBlock& block, int atte
 /// `resources` only the knowledge and its digest are read. Equal ledgers give equal bytes. Errors:
 /// Io.
 Result<Done> assemble(const std::filesystem::path& folder, const RunConfiguration& configuration,
-                      const Resources& resources, const std::filesystem::path& licences,
+                      const Resources& resources, const std::filesystem::path& licenses,
                       const std::vector<FilledBlock>& blocks);
 
 }  // namespace unietp

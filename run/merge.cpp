@@ -49,7 +49,7 @@ Result<ShardSet> read_shards(const std::vector<fs::path>& folders) {
   return set;
 }
 
-Result<Done> merge_shards(const ShardSet& shards, const Resources& resources, const fs::path& licences,
+Result<Done> merge_shards(const ShardSet& shards, const Resources& resources, const fs::path& licenses,
                           const fs::path& out) {
   const auto identity = identity_of(shards.configuration, resources);
   if (identity != shards.identity)
@@ -80,7 +80,7 @@ Result<Done> merge_shards(const ShardSet& shards, const Resources& resources, co
   if (work->already_published()) return Done{};
   const auto folder = work->fresh_data_folder();
   if (!folder) return folder.error();
-  if (auto written = assemble(*folder, shards.configuration, resources, licences, blocks); !written)
+  if (auto written = assemble(*folder, shards.configuration, resources, licenses, blocks); !written)
     return written.error();
   return work->publish();
 }

@@ -24,7 +24,7 @@ Result<ShardSet> read_shards(const std::vector<std::filesystem::path>& folders);
 /// Writes the data set of the run to `out`, all or nothing, with the bytes that one process would have written.
 /// `resources`: of the same knowledge. Errors: Usage when `out` exists or the program's version or knowledge are not
 /// those of the shards; Io.
-Result<Done> merge_shards(const ShardSet& shards, const Resources& resources, const std::filesystem::path& licences,
+Result<Done> merge_shards(const ShardSet& shards, const Resources& resources, const std::filesystem::path& licenses,
                           const std::filesystem::path& out);
 
 }  // namespace unietp

@@ -113,7 +113,7 @@ Result<Done> publish(RunFolder& work, const RunConfiguration& configuration, con
                      std::optional<DatasetWriter>& writer) {
   const StageTimer timer(options.costs, Stage::Dataset);
   if (writer) {
-    if (auto written = writer->finish(configuration, resources, options.licences); !written) return written.error();
+    if (auto written = writer->finish(configuration, resources, options.licenses); !written) return written.error();
   } else {
     const auto folder = work.fresh_data_folder();
     if (!folder) return folder.error();

@@ -30,7 +30,7 @@ struct RunProgress {
 /// How the run is carried out. Does not affect the data set, but for `in_simulator`, which the program always gives.
 struct RunOptions {
   std::filesystem::path out;
-  std::filesystem::path licences;  // table of the sources' licenses, for the manifest
+  std::filesystem::path licenses;  // table of the sources' licenses, for the manifest
   int threads = 1;
   bool resume = false;
   std::filesystem::path ledger;                      // a copy of the ledger, with what candidates cost; "" for none

@@ -54,7 +54,7 @@ StateSet states_from_json(JsonReader& reader, const JsonAt& at) {
 
 void write(JsonText& json, const Board& board) {
   json.open_object();
-  field(json, "centre", board.centre);
+  field(json, "centre", board.center);
   field(json, "size", board.size);
   if (board.joint >= 0) field(json, "joint", board.joint);
   json.close_object();
@@ -69,7 +69,7 @@ Vec3 extents_from_json(JsonReader& reader, const JsonAt& at) {
 Board board_from_json(JsonReader& reader, const JsonAt& at) {
   JsonFields fields(reader, at);
   Board board;
-  if (const auto f = fields.required("centre")) board.centre = reader.vec3_within(*f, limits::kObject_m);
+  if (const auto f = fields.required("centre")) board.center = reader.vec3_within(*f, limits::kObject_m);
   if (const auto f = fields.required("size")) board.size = extents_from_json(reader, *f);
   if (const auto f = fields.optional("joint")) {
     const double joint = reader.number(*f);
@@ -131,7 +131,7 @@ bool has_symbol(Predicate predicate) {
 
 bool is_node_state(Predicate predicate) {
   // Color and material have fields of their own.
-  if (has_symbol(predicate)) return predicate != Predicate::Colour && predicate != Predicate::Material;
+  if (has_symbol(predicate)) return predicate != Predicate::Color && predicate != Predicate::Material;
   return info(predicate).arguments.size() == 1 && predicate != Predicate::Held;
 }
 
@@ -157,7 +157,7 @@ void write(JsonText& json, const Node& node) {
   json.open_list();
   for (const State& state : node.states.all()) json.value(state_name(state));
   json.close_list();
-  if (!node.colour.empty()) field(json, "colour", node.colour);
+  if (!node.color.empty()) field(json, "colour", node.color);
   if (!node.material.empty()) field(json, "material", node.material);
   if (!node.asset.empty()) field(json, "asset", node.asset);
   if (!node.slice_of.empty()) field(json, "slice_of", node.slice_of);
@@ -195,7 +195,7 @@ Node node_from_json(JsonReader& reader, const JsonAt& at) {
     }
   }
   if (const auto f = fields.required("states")) node.states = states_from_json(reader, *f);
-  if (const auto f = fields.optional("colour")) node.colour = reader.label(*f);
+  if (const auto f = fields.optional("colour")) node.color = reader.label(*f);
   if (const auto f = fields.optional("material")) node.material = reader.label(*f);
   if (const auto f = fields.optional("asset")) node.asset = reader.label(*f);
   if (const auto f = fields.optional("slice_of")) node.slice_of = reader.label(*f);

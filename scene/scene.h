@@ -33,7 +33,7 @@ struct Opening {
 
 /// A solid box of one particular object, in the object's frame with every joint closed.
 struct Board {
-  Vec3 centre = Vec3::Zero(), size = Vec3::Zero();  // full extents, meters, > 0
+  Vec3 center = Vec3::Zero(), size = Vec3::Zero();  // full extents, meters, > 0
   int joint = -1;                                   // moves with this joint of the archetype; -1: with the body
   bool operator==(const Board&) const = default;
 };
@@ -51,10 +51,10 @@ struct Node {
   double opening = 0;         // joint position, 0 closed … 1 fully open
   std::vector<Board> boards;  // its own solids, in place of the archetype's; empty: as the archetype says
   StateSet states;
-  std::string colour, material;  // "" when not known
-  std::string asset;             // the simulator's model that this is, "" when it is none
-  std::string slice_of;          // id of the whole this was cut from, else ""
-  std::string whole_category;    // category of that whole, else ""
+  std::string color, material;  // "" when not known
+  std::string asset;            // the simulator's model that this is, "" when it is none
+  std::string slice_of;         // id of the whole this was cut from, else ""
+  std::string whole_category;   // category of that whole, else ""
   bool operator==(const Node&) const = default;
 };
 

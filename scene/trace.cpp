@@ -136,7 +136,7 @@ EntityIndex FactReader::add_node(const Node& node, Facts& facts) {
       facts.set(state.predicate, index, state.symbol);
     }
   }
-  if (!node.colour.empty()) facts.set(Predicate::Colour, index, node.colour);
+  if (!node.color.empty()) facts.set(Predicate::Color, index, node.color);
   if (!node.material.empty()) facts.set(Predicate::Material, index, node.material);
   return index;
 }

@@ -75,7 +75,7 @@ std::string view_picture(const Environment& environment, int width) {
   const int height = std::max(1, now.image_height * shown / std::max(1, now.image_width));
   const auto picture = environment.render(shown, height);
   if (!picture) return "";
-  auto png = few_colours_png(picture->width, picture->height, picture->rgb);
+  auto png = few_colors_png(picture->width, picture->height, picture->rgb);
   return png ? std::move(*png) : "";
 }
 

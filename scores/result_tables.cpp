@@ -232,7 +232,7 @@ ResultTable table_by_mode(const Shown& shown, ResultTable table, const Row& cell
   return table;
 }
 
-ResultTable behaviour_table(const Shown& shown) {
+ResultTable behavior_table(const Shown& shown) {
   ResultTable table{
       "behaviour",
       "What the agent did",
@@ -351,7 +351,7 @@ std::vector<ResultTable> result_tables(std::span<const ScoredRun> runs) {
     tables.push_back(
         rate_table(shown, "templates", "Success on templates that training can leave out", all, columns_by_template()));
   }
-  for (ResultTable table : {behaviour_table(shown), box_table(shown), cost_table(shown), repeat_table(shown)}) {
+  for (ResultTable table : {behavior_table(shown), box_table(shown), cost_table(shown), repeat_table(shown)}) {
     if (!table.rows.empty()) tables.push_back(std::move(table));
   }
   for (const Mode mode : all) tables.push_back(steps_table(shown, mode));

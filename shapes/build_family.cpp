@@ -26,7 +26,7 @@ struct Frame {
 };
 
 struct Coat {
-  std::optional<Rgb> colour{};
+  std::optional<Rgb> color{};
   double shade = 1;
   std::optional<Matter> matter{};
 };
@@ -159,11 +159,11 @@ class Builder {
 
   Coat painted(const ShapePart& part, const Coat& before) const {
     Coat coat = before;
-    const std::string& name = part.colours[choice_ % part.colours.size()];
-    if (const Rgb* rgb = colour_named(name)) {
-      coat.colour = *rgb;
+    const std::string& name = part.colors[choice_ % part.colors.size()];
+    if (const Rgb* rgb = color_named(name)) {
+      coat.color = *rgb;
     } else {
-      coat.colour.reset();
+      coat.color.reset();
       coat.shade = name == "dark" ? 0.58 : name == "light" ? 1.3 : 1.0;
     }
     if (!part.material.empty()) coat.matter = material_named(part.material)->matter;
@@ -171,20 +171,20 @@ class Builder {
   }
 
   /// Adds a piece whose own frame has these axes and center in the family's box.
-  void put(const ShapePart& part, PieceKind kind, const Matrix& axes, const Vec3& centre, const Vec2& low,
+  void put(const ShapePart& part, PieceKind kind, const Matrix& axes, const Vec3& center, const Vec2& low,
            const Vec2& high, const Frame& frame, const Coat& coat) {
     if (pieces.size() >= limits::kShapePieces) return;
     Piece piece;
     piece.kind = kind;
     const Matrix own = frame.turn * axes;
-    const Vec3 at = frame(centre);
+    const Vec3 at = frame(center);
     for (int i = 0; i < 3; ++i) {
       piece.axes.row(order_[static_cast<std::size_t>(i)]) = own.row(i);
-      piece.centre[order_[static_cast<std::size_t>(i)]] = at[i];
+      piece.center[order_[static_cast<std::size_t>(i)]] = at[i];
     }
     piece.low = low;
     piece.high = high;
-    piece.colour = coat.colour;
+    piece.color = coat.color;
     piece.shade = coat.shade;
     piece.matter = coat.matter;
     piece.screen = part.screen;
@@ -205,7 +205,7 @@ class Builder {
 
   void solid(const ShapePart& part, const std::vector<double>& n, const Frame& frame, const Coat& coat) {
     const Vec3 low(n[0], n[2], n[4]), high(n[1], n[3], n[5]);
-    const Vec3 half = (high - low) / 2, centre = (high + low) / 2;
+    const Vec3 half = (high - low) / 2, center = (high + low) / 2;
     const int stands = part.axis - 'x', first = part.axis == 'x' ? 1 : 0, second = part.axis == 'z' ? 1 : 2;
     Matrix axes = Matrix::Zero();
     axes(first, 0) = half[first];
@@ -218,7 +218,7 @@ class Builder {
     const Vec2 below = pair(part.low, Vec2::Ones()), above = pair(part.high, Vec2::Ones());
     constexpr std::array<PieceKind, 5> kKinds{PieceKind::Block, PieceKind::Drum, PieceKind::Ball, PieceKind::Cup,
                                               PieceKind::Crate};
-    put(part, kKinds[static_cast<std::size_t>(part.kind)], axes, centre, below, above, frame, coat);
+    put(part, kKinds[static_cast<std::size_t>(part.kind)], axes, center, below, above, frame, coat);
   }
 
   void lathe(const ShapePart& part, const std::vector<double>& n, const Frame& frame, const Coat& coat) {
@@ -230,11 +230,11 @@ class Builder {
       Matrix axes = Matrix::Zero();
       axes(first, 0) = axes(second, 1) = wide;
       axes(stands, 2) = (n[i + 2] - n[i]) / 2;
-      Vec3 centre = Vec3::Zero();
-      centre[first] = at.x();
-      centre[second] = at.y();
-      centre[stands] = (n[i] + n[i + 2]) / 2;
-      put(part, PieceKind::Drum, axes, centre, Vec2::Constant(n[i + 1] / wide), Vec2::Constant(n[i + 3] / wide), frame,
+      Vec3 center = Vec3::Zero();
+      center[first] = at.x();
+      center[second] = at.y();
+      center[stands] = (n[i] + n[i + 2]) / 2;
+      put(part, PieceKind::Drum, axes, center, Vec2::Constant(n[i + 1] / wide), Vec2::Constant(n[i + 3] / wide), frame,
           coat);
     }
   }
@@ -317,16 +317,16 @@ Bounds bounds_of(const Piece& piece) {
   Vec3 reach;
   if (piece.kind == PieceKind::Ball) {
     for (int i = 0; i < 3; ++i) reach[i] = piece.axes.row(i).norm();
-    return {piece.centre - reach, piece.centre + reach};
+    return {piece.center - reach, piece.center + reach};
   }
   const bool round = piece.kind == PieceKind::Drum || piece.kind == PieceKind::Cup;
-  Bounds bounds{piece.centre, piece.centre};
+  Bounds bounds{piece.center, piece.center};
   for (const double end : {-1.0, 1.0}) {
     const Vec2& wide = end < 0 ? piece.low : piece.high;
     for (int i = 0; i < 3; ++i) {
       const double a = wide.x() * std::abs(piece.axes(i, 0)), b = wide.y() * std::abs(piece.axes(i, 1));
       const double aside = round ? std::sqrt(a * a + b * b) : a + b;
-      const double middle = piece.centre[i] + end * piece.axes(i, 2);
+      const double middle = piece.center[i] + end * piece.axes(i, 2);
       bounds.low[i] = std::min(bounds.low[i], middle - aside);
       bounds.high[i] = std::max(bounds.high[i], middle + aside);
     }
@@ -336,7 +336,7 @@ Bounds bounds_of(const Piece& piece) {
 
 bool has_volume(const Piece& piece) {
   const double volume = std::abs(piece.axes.determinant());
-  return std::isfinite(volume) && volume > kLeastVolume && piece.centre.allFinite() && piece.low.allFinite() &&
+  return std::isfinite(volume) && volume > kLeastVolume && piece.center.allFinite() && piece.low.allFinite() &&
          piece.high.allFinite() && piece.low.minCoeff() >= 0 && piece.high.minCoeff() >= 0 &&
          std::max(piece.low.maxCoeff(), piece.high.maxCoeff()) <= 1 + kSlack &&
          piece.low.maxCoeff() + piece.high.maxCoeff() > 0;
@@ -369,7 +369,7 @@ void fit(std::vector<Piece>& pieces) {
     const double middle = (all.low[i] + all.high[i]) / 2, reach = (all.high[i] - all.low[i]) / 2;
     if (std::abs(middle) < kSlack && std::abs(reach - 1) < kSlack) continue;
     for (Piece& piece : pieces) {
-      piece.centre[i] = (piece.centre[i] - middle) / reach;
+      piece.center[i] = (piece.center[i] - middle) / reach;
       piece.axes.row(i) /= reach;
     }
   }
@@ -386,9 +386,9 @@ std::vector<Piece> pieces_of(const ShapeFamily& family, const ShapeObject& objec
   return std::move(builder.pieces);
 }
 
-const std::string* usual_colour(const ShapeFamily& family, std::uint32_t seed) {
-  if (family.colours.empty()) return nullptr;
-  return &family.colours[Rng(seed).fork("colour", 0).below(family.colours.size())];
+const std::string* usual_color(const ShapeFamily& family, std::uint32_t seed) {
+  if (family.colors.empty()) return nullptr;
+  return &family.colors[Rng(seed).fork("colour", 0).below(family.colors.size())];
 }
 
 std::vector<Error> faults_of(const ShapeFamily& family, const Vec3& size, double wall_m) {

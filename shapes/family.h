@@ -47,7 +47,7 @@ struct ShapePart {
   char axis = 'z';                                         // along which a solid stands or a group turns
   std::vector<ShapeNumber> low, high, wall, floor, shift;  // options, empty when not given
   bool screen = false;
-  std::vector<std::string> colours;   // of Paint: one of them by seed; "main", "dark" and "light" are the object's
+  std::vector<std::string> colors;    // of Paint: one of them by seed; "main", "dark" and "light" are the object's
   std::string material;               // of Paint, "" when not given
   Predicate state = Predicate::Open;  // of When and Unless: whether the object has it
   std::vector<ShapePart> parts;       // of groups
@@ -71,10 +71,10 @@ struct ShapeFamily {
   std::string file;
   SourcePos pos;
   ShapeAxes axes = ShapeAxes::Upright;
-  bool keeps_body = false;           // drawn around the solids of the archetype
-  bool shows_open = false;           // has parts of its own when it is open
-  std::vector<std::string> colours;  // usual ones, of things whose color is not known
-  std::string material;              // of things whose material is not known, "" when any
+  bool keeps_body = false;          // drawn around the solids of the archetype
+  bool shows_open = false;          // has parts of its own when it is open
+  std::vector<std::string> colors;  // usual ones, of things whose color is not known
+  std::string material;             // of things whose material is not known, "" when any
   std::vector<Parameter> parameters;
   std::vector<ShapePart> parts;
 };
@@ -91,7 +91,7 @@ struct ShapeObject {
 /// fills the object's box (families that keep the body are not). Pieces without volume are left out. Deterministic.
 std::vector<Piece> pieces_of(const ShapeFamily& family, const ShapeObject& object);
 /// The usual color of an object by its seed, nullptr when the family names none.
-const std::string* usual_colour(const ShapeFamily& family, std::uint32_t seed);
+const std::string* usual_color(const ShapeFamily& family, std::uint32_t seed);
 
 /// Families of one file. Errors: Parse with line and column; all of them.
 struct FamiliesReading {

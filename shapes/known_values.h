@@ -9,6 +9,6 @@ namespace unietp {
 /// its axes) and the thickness of a hollow's wall, in meters.
 inline constexpr std::array<std::string_view, 4> kKnownValues{"w", "d", "h", "wall"};
 /// The object's own color, darker, and lighter.
-inline constexpr std::array<std::string_view, 3> kRelativeColours{"main", "dark", "light"};
+inline constexpr std::array<std::string_view, 3> kRelativeColors{"main", "dark", "light"};
 
 }  // namespace unietp

@@ -5,13 +5,13 @@
 namespace unietp {
 namespace {
 
-struct NamedColour {
+struct NamedColor {
   std::string_view name;
-  Rgb colour{};
+  Rgb color{};
 };
 
 // Those of the knowledge tables first, then those that shapes alone use.
-constexpr std::array<NamedColour, 41> kColours{
+constexpr std::array<NamedColor, 41> kColors{
     {{"white", {240, 239, 234}},     {"grey", {150, 150, 152}},   {"silver", {190, 195, 200}},
      {"black", {52, 52, 56}},        {"clear", {196, 220, 228}},  {"transparent", {196, 220, 228}},
      {"red", {196, 62, 54}},         {"green", {86, 150, 80}},    {"blue", {66, 112, 180}},
@@ -58,14 +58,14 @@ std::vector<std::string> names_of(const Table& table) {
 
 }  // namespace
 
-const Rgb* colour_named(std::string_view name) {
-  const NamedColour* found = named(kColours, name);
-  return found == nullptr ? nullptr : &found->colour;
+const Rgb* color_named(std::string_view name) {
+  const NamedColor* found = named(kColors, name);
+  return found == nullptr ? nullptr : &found->color;
 }
 
 const Material* material_named(std::string_view name) { return named(kMaterials, name); }
 
-std::vector<std::string> colour_names() { return names_of(kColours); }
+std::vector<std::string> color_names() { return names_of(kColors); }
 std::vector<std::string> material_names() { return names_of(kMaterials); }
 
 }  // namespace unietp

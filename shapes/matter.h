@@ -35,16 +35,16 @@ using Rgb = std::array<std::uint8_t, 3>;
 /// A material with the color of things of it whose color is not known.
 struct Material {
   std::string_view name;
-  Rgb colour{};
+  Rgb color{};
   Matter matter = Matter::Plain;
 };
 
 /// nullptr for a name that is no color; "" too.
-const Rgb* colour_named(std::string_view name);
+const Rgb* color_named(std::string_view name);
 /// nullptr for a name that is no material; "" too.
 const Material* material_named(std::string_view name);
 /// For messages, in the order of the tables.
-std::vector<std::string> colour_names();
+std::vector<std::string> color_names();
 std::vector<std::string> material_names();  // likewise
 
 }  // namespace unietp

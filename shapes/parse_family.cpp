@@ -99,8 +99,8 @@ class Reader {
       family.keeps_body = true;
       if (form.children.size() != 1) fail(form.pos, "expected (body)");
     } else if (word == "colours") {
-      for (std::size_t i = 1; i < form.children.size(); ++i) family.colours.push_back(colour(form.children[i], false));
-      if (family.colours.empty()) fail(form.pos, "expected names of colors");
+      for (std::size_t i = 1; i < form.children.size(); ++i) family.colors.push_back(color(form.children[i], false));
+      if (family.colors.empty()) fail(form.pos, "expected names of colors");
     } else if (word == "material") {
       if (form.children.size() != 2) return fail(form.pos, "expected (material NAME)"), true;
       family.material = material(form.children[1]);
@@ -141,13 +141,14 @@ class Reader {
     family.parameters.push_back({children[1].text, *low, *high});
   }
 
-  std::string colour(const Sexpr& atom, bool relative) {
-    const bool known = atom.is_atom() && (colour_named(atom.text) != nullptr ||
-                                          (relative && std::find(kRelativeColours.begin(), kRelativeColours.end(),
-                                                                 atom.text) != kRelativeColours.end()));
+  std::string color(const Sexpr& atom, bool relative) {
+    const bool known =
+        atom.is_atom() &&
+        (color_named(atom.text) != nullptr ||
+         (relative && std::find(kRelativeColors.begin(), kRelativeColors.end(), atom.text) != kRelativeColors.end()));
     if (!known)
       fail(atom.pos, "expected a color" + std::string(relative ? ", \"main\", \"dark\" or \"light\"" : "") +
-                         nearest(atom.text, colour_names()));
+                         nearest(atom.text, color_names()));
     return atom.text;
   }
   std::string material(const Sexpr& atom) {
@@ -272,13 +273,13 @@ class Reader {
     std::size_t i = 1;
     if (i < form.children.size() && form.children[i].is_form("any")) {
       const auto& list = form.children[i].children;
-      for (std::size_t k = 1; k < list.size(); ++k) part.colours.push_back(colour(list[k], true));
+      for (std::size_t k = 1; k < list.size(); ++k) part.colors.push_back(color(list[k], true));
       ++i;
     } else if (i < form.children.size() && form.children[i].is_atom()) {
-      part.colours.push_back(colour(form.children[i], true));
+      part.colors.push_back(color(form.children[i], true));
       ++i;
     }
-    if (part.colours.empty()) fail(form.pos, "expected a color after \"paint\", or (any COLOR…)");
+    if (part.colors.empty()) fail(form.pos, "expected a color after \"paint\", or (any COLOR…)");
     if (i < form.children.size() && form.children[i].is_atom()) part.material = material(form.children[i++]);
     return i;
   }

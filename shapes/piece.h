@@ -22,11 +22,11 @@ enum class PieceKind : std::uint8_t {
 /// each.
 struct Piece {
   PieceKind kind = PieceKind::Block;
-  Vec3 centre = Vec3::Zero();
+  Vec3 center = Vec3::Zero();
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  // columns: the half axes of its own frame
   Vec2 low = Vec2::Ones(), high = Vec2::Ones();        // half widths at z = -1 and z = 1, in (0, 1]
   double wall = 0.1, floor = 0.1;                      // of hollows: thickness in the piece's own frame
-  std::optional<Rgb> colour{};                         // its own; nullopt: that of the object
+  std::optional<Rgb> color{};                          // its own; nullopt: that of the object
   double shade = 1;                                    // times the object's color, when it has none of its own
   std::optional<Matter> matter{};                      // nullopt: that of the object
   bool screen = false;                                 // shows a picture when the object is on

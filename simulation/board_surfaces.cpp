@@ -14,7 +14,7 @@ constexpr double kSliver_m = 0.0035;    // gaps that cutting leaves where a piec
 constexpr double kLowest_m = 0.03;      // smallest clearance of a surface
 constexpr std::size_t kMostLines = 80;  // of a level, each way; of more, each board is looked at alone
 
-double top_of(const Board& board) { return board.centre.z() + board.size.z() / 2; }
+double top_of(const Board& board) { return board.center.z() + board.size.z() / 2; }
 
 /// The upper faces of boards of one joint at one height, as a grid of cells between the edges of all boards that
 /// matter.
@@ -23,13 +23,13 @@ class Level {
   Level(const std::vector<Board>& boards, std::size_t first) : z_(top_of(boards[first])), joint_(boards[first].joint) {
     for (const Board& board : boards) {
       const bool own = is_own(board);
-      if (!own && (board.centre.z() - board.size.z() / 2 <= z_ - kDoorGap_m || top_of(board) <= z_)) continue;
+      if (!own && (board.center.z() - board.size.z() / 2 <= z_ - kDoorGap_m || top_of(board) <= z_)) continue;
       const double in = own ? 0 : kDoorGap_m;  // what only touches from aside does not count as above
       for (const int axis : {0, 1}) {
         const double half = board.size[axis] / 2 - in;
         if (half <= 0) continue;
-        lines_[axis].push_back(board.centre[axis] - half);
-        lines_[axis].push_back(board.centre[axis] + half);
+        lines_[axis].push_back(board.center[axis] - half);
+        lines_[axis].push_back(board.center[axis] + half);
       }
     }
     for (auto& lines : lines_) {
@@ -83,12 +83,12 @@ class Level {
     bool covered = is_sliver(x, y);
     double clearance = kOpenAbove_m;
     for (const Board& board : boards) {
-      const Vec2 apart = (board.centre.head<2>() - middle).cwiseAbs() - board.size.head<2>() / 2;
+      const Vec2 apart = (board.center.head<2>() - middle).cwiseAbs() - board.size.head<2>() / 2;
       if (is_own(board)) {
         covered = covered || apart.maxCoeff() < 0;
         continue;
       }
-      const double bottom = board.centre.z() - board.size.z() / 2;
+      const double bottom = board.center.z() - board.size.z() / 2;
       if (bottom > z_ - kDoorGap_m && top_of(board) > z_ && apart.maxCoeff() < -kDoorGap_m)
         clearance = std::min(clearance, std::max(0.0, bottom - z_));
     }
@@ -130,8 +130,8 @@ class Level {
       for (std::size_t x = cells.x0; x <= cells.x1; ++x) clearance = std::min(clearance, clearance_[y * columns() + x]);
     }
     const auto holds_it = [&](const Surface& other) {
-      const Vec2 apart = (other.centre.head<2>() - middle).cwiseAbs() + half - other.half;
-      return other.joint == joint_ && std::abs(other.centre.z() - z_) < kLevel_m && apart.maxCoeff() < 1e-6 &&
+      const Vec2 apart = (other.center.head<2>() - middle).cwiseAbs() + half - other.half;
+      return other.joint == joint_ && std::abs(other.center.z() - z_) < kLevel_m && apart.maxCoeff() < 1e-6 &&
              other.clearance >= clearance;
     };
     if (std::any_of(surfaces.begin(), surfaces.end(), holds_it)) return;
@@ -147,12 +147,12 @@ class Level {
 /// The surface on one board alone.
 void add_alone(const std::vector<Board>& boards, const Board& board, std::vector<Surface>& surfaces) {
   const Vec2 half = board.size.head<2>() / 2 - Vec2::Constant(kSurfaceEdge_m);
-  const Vec3 top = board.centre + Vec3(0, 0, board.size.z() / 2);
+  const Vec3 top = board.center + Vec3(0, 0, board.size.z() / 2);
   double clearance = kOpenAbove_m;
   for (const Board& other : boards) {
     if (&other == &board) continue;  // it may be thinner than the gap
-    const double bottom = other.centre.z() - other.size.z() / 2;
-    const Vec2 apart = (other.centre - top).head<2>().cwiseAbs() - (other.size + board.size).head<2>() / 2;
+    const double bottom = other.center.z() - other.size.z() / 2;
+    const Vec2 apart = (other.center - top).head<2>().cwiseAbs() - (other.size + board.size).head<2>() / 2;
     if (bottom > top.z() - kDoorGap_m && apart.maxCoeff() < -kDoorGap_m)
       clearance = std::min(clearance, std::max(0.0, bottom - top.z()));
   }

@@ -13,8 +13,8 @@ std::optional<Vec2> Camera::pixel(const Vec3& point) const {
   return Vec2(width / 2.0 + focal * way.dot(right) / deep, height / 2.0 + focal * way.dot(down) / deep);
 }
 
-bool Camera::may_show(const Vec3& centre, double radius) const {
-  const Vec3 way = centre - at;
+bool Camera::may_show(const Vec3& center, double radius) const {
+  const Vec3 way = center - at;
   const double deep = way.dot(ahead);
   if (deep < -radius) return false;
   const auto within = [&](double aside, double half) {  // of the two side planes: distance to the nearer one

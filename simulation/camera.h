@@ -27,7 +27,7 @@ struct Camera {
   /// Bounds of the view frustum up to a depth, meters.
   Bounds shown_up_to(double depth_m) const;
   /// Whether a sphere may be in the image: conservative test against the view frustum.
-  bool may_show(const Vec3& centre, double radius) const;
+  bool may_show(const Vec3& center, double radius) const;
 };
 
 /// The camera of an agent at its present position, yaw and pitch.

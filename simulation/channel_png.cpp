@@ -17,7 +17,7 @@ Result<std::string> depth_png(const Channels& channels) {
     const double value = std::round(1000.0 * depth);
     millimeters.push_back(value <= kMost ? static_cast<std::uint16_t>(value) : 0);
   }
-  return grey_png(channels.width, channels.height, millimeters);
+  return gray_png(channels.width, channels.height, millimeters);
 }
 
 Result<std::string> normals_png(const Channels& channels) {
@@ -31,7 +31,7 @@ Result<std::string> instances_png(const Channels& channels) {
   std::vector<std::uint16_t> numbers;
   numbers.reserve(channels.node.size());
   for (const std::int32_t node : channels.node) numbers.push_back(static_cast<std::uint16_t>(node + 1));
-  return grey_png(channels.width, channels.height, numbers);
+  return gray_png(channels.width, channels.height, numbers);
 }
 
 }  // namespace unietp

@@ -5,17 +5,17 @@
 namespace unietp {
 namespace {
 
-Bounds bounds_around(const Vec3& centre, const Eigen::Matrix3d& axes, const Vec3& half) {
+Bounds bounds_around(const Vec3& center, const Eigen::Matrix3d& axes, const Vec3& half) {
   const Vec3 reach = axes.cwiseAbs() * half;
-  return {centre - reach, centre + reach};
+  return {center - reach, center + reach};
 }
 
 Bounds bounds_of(const Convex& part) {
   if (part.kind == Part::Kind::Sphere) {
     const Vec3 reach = Vec3::Constant(part.half.x());
-    return {part.centre - reach, part.centre + reach};
+    return {part.center - reach, part.center + reach};
   }
-  return bounds_around(part.centre, part.axes, part.half);
+  return bounds_around(part.center, part.axes, part.half);
 }
 
 void add(Digester& digester, const Vec3& v) { digester.add(v.x()).add(v.y()).add(v.z()); }
@@ -39,26 +39,26 @@ Collider::Collider(Shape of, double at) : shape(std::move(of)), opening(at) {
     all.high = all.high.cwiseMax(convex.bounds.high);
     rolls = rolls || part.kind != Part::Kind::Box;
     digester.add(static_cast<std::uint64_t>(part.kind));
-    add(digester, convex.centre);
+    add(digester, convex.center);
     add(digester, convex.half);
     for (int axis = 0; axis < 2; ++axis) add(digester, convex.axes.col(axis));
     parts.push_back(convex);
   }
   if (parts.empty()) all = {};
-  centre = (all.low + all.high) / 2;
+  center = (all.low + all.high) / 2;
   half = (all.high - all.low) / 2 + Vec3::Constant(kSkin_m);
   digest = digester.digest();
 }
 
 Bounds Collider::bounds(const Pose& pose) const {
-  return bounds_around(pose * centre, pose.rotation.toRotationMatrix(), half);
+  return bounds_around(pose * center, pose.rotation.toRotationMatrix(), half);
 }
 
 std::vector<Convex> Collider::placed(const Pose& pose) const {
   const Eigen::Matrix3d turn = pose.rotation.toRotationMatrix();
   std::vector<Convex> all = parts;
   for (Convex& part : all) {
-    part.centre = pose.position + turn * part.centre;
+    part.center = pose.position + turn * part.center;
     part.axes = turn * part.axes;
     part.bounds = bounds_of(part);
   }
@@ -72,7 +72,7 @@ std::shared_ptr<const Collider> ColliderCache::of(const Node& node) {
   append_bytes(key, node.size.data(), 3 * sizeof(double));
   append_bytes(key, &node.opening, sizeof(double));
   for (const Board& board : node.boards) {
-    append_bytes(key, board.centre.data(), 3 * sizeof(double));
+    append_bytes(key, board.center.data(), 3 * sizeof(double));
     append_bytes(key, board.size.data(), 3 * sizeof(double));
     append_bytes(key, &board.joint, sizeof board.joint);
   }

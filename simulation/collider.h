@@ -15,7 +15,7 @@ namespace unietp {
 /// One convex solid with its joint moved: in the object's frame, or, once placed, in W.
 struct Convex {
   Part::Kind kind = Part::Kind::Box;
-  Vec3 centre = Vec3::Zero();
+  Vec3 center = Vec3::Zero();
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  // columns: the solid's own x, y, z
   Vec3 half = Vec3::Zero();
   Bounds bounds;
@@ -28,7 +28,7 @@ struct Collider {
   Shape shape;
   double opening = 0;
   std::vector<Convex> parts;                        // object frame
-  Vec3 centre = Vec3::Zero(), half = Vec3::Zero();  // of the box around all parts, kSkin_m larger on each side
+  Vec3 center = Vec3::Zero(), half = Vec3::Zero();  // of the box around all parts, kSkin_m larger on each side
   bool rolls = false;
   Digest digest;  // of all of the above: equal colliders have equal ones
 

@@ -38,8 +38,8 @@ Contrast contrast_of(const Node& one, const Node& other, Simulator simulator) {
 
 std::optional<Node> with_look_of(const Node& one, const Node& other, Predicate predicate) {
   Node changed = one;
-  if (predicate == Predicate::Colour) {
-    changed.colour = other.colour;
+  if (predicate == Predicate::Color) {
+    changed.color = other.color;
   } else if (predicate == Predicate::Material) {
     changed.material = other.material;
   } else if (const auto group = info(predicate).group; !group.empty()) {

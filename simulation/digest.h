@@ -23,7 +23,7 @@ struct Digest {
   }
 };
 
-/// Hashes a sequence of words. Two lanes of the finaliser of SplitMix64 (Steele, Lea, Flood 2014).
+/// Hashes a sequence of words. Two lanes of the finalizer of SplitMix64 (Steele, Lea, Flood 2014).
 class Digester {
  public:
   /// Takes in one more item. Order matters; a number counts by its bits, a text also by its length.

@@ -51,7 +51,7 @@ bool has_place_for(const WorldState& state, std::size_t seat, const Vec3& body) 
       for (int x = -nx; x <= nx; ++x) {
         for (int y = -ny; y <= ny; ++y) {
           const Vec3 up(x * kSpotPitch_m, y * kSpotPitch_m, size.z() / 2 + kAboveSeat_m);
-          if (free_for_body(state, seat, frame * Pose{surface.centre + up, Quat::Identity()}, size)) return true;
+          if (free_for_body(state, seat, frame * Pose{surface.center + up, Quat::Identity()}, size)) return true;
         }
       }
     }

@@ -28,7 +28,7 @@ void wood(const Look& look, const SurfacePoint& point, Finish& finish) {
   stretched[along] /= 14;
   const double rings = noise(stretched, look.seed), streak = wave(2.2 * rings + 0.3 * stretched.sum());
   const double share = 0.35 + 0.65 * seen(point, 20);
-  finish.colour *= 1 - share * (0.22 * ramp(0.35, 0.95, streak) + 0.12 * (1 - rings));
+  finish.color *= 1 - share * (0.22 * ramp(0.35, 0.95, streak) + 0.12 * (1 - rings));
   finish.gloss = 0.12;
 }
 
@@ -37,7 +37,7 @@ void metal(const Look& look, const SurfacePoint& point, Finish& finish) {
   const Vec3::Index along = grain_of(look, point);
   Vec3 stretched = 420 * point.at;
   stretched[along] /= 60;
-  finish.colour *= 1 - 0.16 * seen(point, 160) * noise(stretched, look.seed);
+  finish.color *= 1 - 0.16 * seen(point, 160) * noise(stretched, look.seed);
   finish.gloss = 0.85;
 }
 
@@ -46,15 +46,15 @@ void fabric(const SurfacePoint& point, Finish& finish) {
   constexpr double kThreads = 130;  // a meter
   const Vec3 thread = kThreads * point.at;
   const double weave = wave(thread.x() + thread.z()) * 0.5 + wave(thread.y() - thread.z()) * 0.5;
-  finish.colour *= 1 - 0.26 * seen(point, kThreads) * weave;
+  finish.color *= 1 - 0.26 * seen(point, kThreads) * weave;
   constexpr double kRibs = 40;
-  finish.colour *= 1 - 0.2 * seen(point, kRibs) * wave(kRibs * (point.at.x() + 0.7 * point.at.y() + point.at.z()));
+  finish.color *= 1 - 0.2 * seen(point, kRibs) * wave(kRibs * (point.at.x() + 0.7 * point.at.y() + point.at.z()));
 }
 
 void stone(const Look& look, const SurfacePoint& point, Finish& finish) {
   const double speck = noise(180 * point.at, look.seed), vein = rough_noise(7 * point.at, look.seed + 5);
-  finish.colour *= 0.9 + 0.3 * seen(point, 90) * (speck - 0.5);
-  if (std::abs(vein - 0.5) < 0.03) finish.colour *= 0.78;
+  finish.color *= 0.9 + 0.3 * seen(point, 90) * (speck - 0.5);
+  if (std::abs(vein - 0.5) < 0.03) finish.color *= 0.78;
   finish.gloss = 0.2;
 }
 
@@ -63,23 +63,23 @@ void wicker(const SurfacePoint& point, Finish& finish) {
   const int row = static_cast<int>(std::floor(strand.z())),
             column = static_cast<int>(std::floor(strand.x() + strand.y()));
   const double round = (row + column) % 2 == 0 ? wave(strand.z()) : wave(strand.x() + strand.y());
-  finish.colour *= 1 - 0.5 * seen(point, 45) * (1 - round);
+  finish.color *= 1 - 0.5 * seen(point, 45) * (1 - round);
 }
 
-void paper(const SurfacePoint& point, Finish& finish) { finish.colour *= 0.96 + 0.06 * noise(70 * point.at, 9); }
+void paper(const SurfacePoint& point, Finish& finish) { finish.color *= 0.96 + 0.06 * noise(70 * point.at, 9); }
 
 /// Flutes across the edges and a fold.
 void cardboard(const SurfacePoint& point, Finish& finish) {
-  finish.colour *= 0.93 + 0.1 * noise(Vec3(15 * point.at.x(), 15 * point.at.y(), 240 * point.at.z()), 4);
+  finish.color *= 0.93 + 0.1 * noise(Vec3(15 * point.at.x(), 15 * point.at.y(), 240 * point.at.z()), 4);
   const double lines = 110;
-  finish.colour *= 1 - 0.14 * seen(point, lines) * wave(lines * (point.at.x() + point.at.y()));
+  finish.color *= 1 - 0.14 * seen(point, lines) * wave(lines * (point.at.x() + point.at.y()));
   if (std::abs(point.inner.x()) < 0.12 && point.normal.z() > 0.9)
-    finish.colour = mixed(finish.colour, {214, 190, 140}, 0.5);
+    finish.color = mixed(finish.color, {214, 190, 140}, 0.5);
 }
 
 void food(const Look& look, const SurfacePoint& point, Finish& finish) {
   const double spot = rough_noise(9 * look.grain * point.at, look.seed);
-  finish.colour = mixed(finish.colour * 0.82, finish.colour * 1.12, spot);
+  finish.color = mixed(finish.color * 0.82, finish.color * 1.12, spot);
   finish.gloss = 0.15;
 }
 
@@ -102,7 +102,7 @@ Finish matter_finish(const Look& look, const SurfacePoint& point) {
       fabric(point, finish);
       break;
     case Matter::Leather:
-      finish.colour *= 0.8 + 0.22 * ramp(0.02, 0.25, cell_at(90 * point.at, look.seed).to_border);
+      finish.color *= 0.8 + 0.22 * ramp(0.02, 0.25, cell_at(90 * point.at, look.seed).to_border);
       finish.gloss = 0.3;
       break;
     case Matter::Stone:
@@ -118,13 +118,13 @@ Finish matter_finish(const Look& look, const SurfacePoint& point) {
       cardboard(point, finish);
       break;
     case Matter::Foam:
-      finish.colour *= 0.75 + 0.3 * ramp(0.1, 0.5, cell_at(110 * point.at, look.seed).to_middle);
+      finish.color *= 0.75 + 0.3 * ramp(0.1, 0.5, cell_at(110 * point.at, look.seed).to_middle);
       break;
     case Matter::Food:
       food(look, point, finish);
       break;
     case Matter::Ceramic:
-      finish.colour *= 0.98 + 0.04 * noise(12 * point.at, look.seed);
+      finish.color *= 0.98 + 0.04 * noise(12 * point.at, look.seed);
       finish.gloss = 0.6;
       break;
     case Matter::Plastic:
@@ -135,7 +135,7 @@ Finish matter_finish(const Look& look, const SurfacePoint& point) {
       finish.gloss = 0.15;
       break;
     case Matter::Rubber:
-      finish.colour *= 0.94 + 0.1 * noise(300 * point.at, look.seed);
+      finish.color *= 0.94 + 0.1 * noise(300 * point.at, look.seed);
       break;
   }
   return finish;
@@ -144,12 +144,12 @@ Finish matter_finish(const Look& look, const SurfacePoint& point) {
 namespace {
 
 /// The outdoors behind a window: sky, trees and grass, by height.
-Colour outdoors(const Look& look, const SurfacePoint& point) {
+Color outdoors(const Look& look, const SurfacePoint& point) {
   const double across = look.half.x() >= look.half.y() ? point.at.x() : point.at.y();
   const double tree = -0.35 + 0.5 * rough_noise(Vec3(4 * across, 0, 0), look.seed);
   const double z = point.inner.z();
   if (z > tree) return mixed({226, 238, 246}, {120, 176, 232}, ramp(-0.3, 1, z));
-  if (z > -0.55) return Colour(74, 122, 66) * (0.8 + 0.4 * noise(Vec3(22 * across, 0, 22 * point.at.z()), 2));
+  if (z > -0.55) return Color(74, 122, 66) * (0.8 + 0.4 * noise(Vec3(22 * across, 0, 22 * point.at.z()), 2));
   return {134, 172, 92};
 }
 
@@ -158,11 +158,11 @@ Finish window_finish(const Look& look, const SurfacePoint& point) {
   const double across = look.half.x() >= look.half.y() ? point.inner.x() : point.inner.y();
   const double z = point.inner.z();
   const bool bar = std::max(std::abs(across), std::abs(z)) > 0.92 || std::abs(across) < 0.04 || std::abs(z) < 0.03;
-  if (bar) return {Colour(236, 234, 228), 0.2};
+  if (bar) return {Color(236, 234, 228), 0.2};
   return {outdoors(look, point), 0, 0, true};
 }
 
-Colour skin_colour(const Look& look, const SurfacePoint& point) {
+Color skin_color(const Look& look, const SurfacePoint& point) {
   switch (point.skin) {
     case Skin::Water:
       return mixed({150, 200, 240}, {236, 246, 252},
@@ -198,7 +198,7 @@ Finish finish_of(const Look& look, const SurfacePoint& point) {
     show_states(look, point, finish);
     return finish;
   }
-  Finish finish{skin_colour(look, point)};
+  Finish finish{skin_color(look, point)};
   finish.gloss = point.skin == Skin::Liquid || point.skin == Skin::Water ? 0.8 : 0.2;
   finish.glows = point.skin == Skin::Flame;
   if (point.skin == Skin::Liquid) finish.clear = 0.15;  // what lies in it is seen

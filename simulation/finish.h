@@ -8,7 +8,7 @@ namespace unietp {
 
 /// What an object's looks depend on, computed once a picture.
 struct Look {
-  Colour base = Colour::Zero();
+  Color base = Color::Zero();
   Matter matter = Matter::Plain;
   Device device = Device::None;
   std::uint32_t seed = 0;
@@ -16,12 +16,12 @@ struct Look {
   double grain = 1;          // stains and frost a meter: more on small things
   bool on = false, dirty = false, soaked = false, hot = false, cool = false, cooked = false, burnt = false;
   bool frozen = false, cut = false, used_up = false, broken = false, folded = false, unfolded = false;
-  bool folds_up = false;                // two slabs on a hinge
-  bool window = false;                  // the outdoors is seen through it
-  double level = 0;                     // of its filling, in parts of its height; 0: empty
-  bool pool = false;                    // its filling is a solid of its own, in a hollow
-  Colour filling = Colour::Zero();      // of what fills it
-  Colour cover = Colour::Constant(-1);  // of what covers it; negative: nothing
+  bool folds_up = false;              // two slabs on a hinge
+  bool window = false;                // the outdoors is seen through it
+  double level = 0;                   // of its filling, in parts of its height; 0: empty
+  bool pool = false;                  // its filling is a solid of its own, in a hollow
+  Color filling = Color::Zero();      // of what fills it
+  Color cover = Color::Constant(-1);  // of what covers it; negative: nothing
 };
 /// `family`: the shape that it is seen as, or nullptr.
 Look look_of(const Node& node, const ShapeFamily* family = nullptr);
@@ -41,10 +41,10 @@ struct SurfacePoint {
 
 /// What light does at a point.
 struct Finish {
-  Colour colour = Colour::Zero();  // 0 to 255, before light
-  double gloss = 0;                // share of the lamp's reflection, 0 (cloth) to 1 (glass)
-  double clear = 0;                // share of what is behind it that is seen
-  bool glows = false;              // needs no light
+  Color color = Color::Zero();  // 0 to 255, before light
+  double gloss = 0;             // share of the lamp's reflection, 0 (cloth) to 1 (glass)
+  double clear = 0;             // share of what is behind it that is seen
+  bool glows = false;           // needs no light
 };
 
 /// Material, states and filling of a point.
@@ -56,9 +56,9 @@ Finish matter_finish(const Look& look, const SurfacePoint& point);
 void show_states(const Look& look, const SurfacePoint& point, Finish& finish);
 
 /// The color of what fills it, lighter or darker where it is too near to that of the body or of its hollow.
-Colour shown_filling(const Look& look);
+Color shown_filling(const Look& look);
 
 /// The color this share of the way from `a` to `b`.
-inline Colour mixed(const Colour& a, const Colour& b, double share) { return a + share * (b - a); }
+inline Color mixed(const Color& a, const Color& b, double share) { return a + share * (b - a); }
 
 }  // namespace unietp

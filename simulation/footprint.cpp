@@ -12,7 +12,7 @@ constexpr double kLow_m = 0.15;       // movable objects above this lie on furni
 /// Whether one footprint is inside the other.
 bool covered(const FloorFootprint& f, const FloorFootprint& by) {
   if (f.along != by.along) return false;
-  const Vec2 d = f.centre - by.centre;
+  const Vec2 d = f.center - by.center;
   const Vec2 local(std::abs(d.dot(by.along)), std::abs(d.dot(Vec2(-by.along.y(), by.along.x()))));
   return ((local + f.half - by.half).array() <= 0).all();
 }
@@ -47,7 +47,7 @@ std::optional<FloorFootprint> footprint_of_box(const Pose& pose, const Vec3& siz
 }
 
 double distance_to(const FloorFootprint& f, const Vec2& point) {
-  const Vec2 d = point - f.centre;
+  const Vec2 d = point - f.center;
   const Vec2 local(std::abs(d.dot(f.along)), std::abs(d.dot(Vec2(-f.along.y(), f.along.x()))));
   return (local - f.half).cwiseMax(0.0).norm();
 }

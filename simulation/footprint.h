@@ -11,9 +11,9 @@ namespace unietp {
 
 /// The footprint of a solid on the floor: a rectangle turned by its yaw, or its bounds when it is not upright.
 struct FloorFootprint {
-  Vec2 centre = Vec2::Zero(), along = Vec2::UnitX(), half = Vec2::Zero();  // `along`: unit, the rectangle's own x
+  Vec2 center = Vec2::Zero(), along = Vec2::UnitX(), half = Vec2::Zero();  // `along`: unit, the rectangle's own x
   bool operator==(const FloorFootprint& other) const {
-    return centre == other.centre && along == other.along && half == other.half;
+    return center == other.center && along == other.along && half == other.half;
   }
 };
 

@@ -24,7 +24,7 @@ Vec3 light_of(const std::vector<LightSource>& sources, const Vec3& at, const Vec
 struct Puff {
   Vec3 at = Vec3::Zero();  // W
   double radius = 0;       // meters
-  Colour colour = Colour::Zero();
+  Color color = Color::Zero();
   double strength = 0;  // share of the color in the middle
 };
 /// Steam over what is hot, light around what glows.

@@ -20,11 +20,11 @@ std::optional<Vec2> place_in_room(const WorldState& state, const Room& room) {
   const auto from = grid.cell_at(low), to = grid.cell_at(high);
   const int left = std::max(0, from.x), right = std::min(grid.width() - 1, to.x);
   if (left > right) return std::nullopt;
-  const int centre = std::clamp(grid.cell_at(middle).x, left, right);
+  const int center = std::clamp(grid.cell_at(middle).x, left, right);
   // Each row is searched from the middle outwards until no cell can be nearer. Ties by row, then column.
   const auto look_along = [&](int y, int x, int step) {
     for (; x >= left && x <= right; x += step) {
-      const Vec2 at = grid.centre({x, y});
+      const Vec2 at = grid.center({x, y});
       const double distance = (at - middle).squaredNorm();
       if (distance >= best_distance) return;
       if (!walk.has(x, y) || !contains(room.polygon, at)) continue;
@@ -34,8 +34,8 @@ std::optional<Vec2> place_in_room(const WorldState& state, const Room& room) {
     }
   };
   for (int y = std::max(0, from.y); y <= std::min(grid.height() - 1, to.y); ++y) {
-    look_along(y, centre - 1, -1);
-    look_along(y, centre, 1);
+    look_along(y, center - 1, -1);
+    look_along(y, center, 1);
   }
   return best;
 }

@@ -8,7 +8,7 @@
 namespace unietp {
 namespace {
 
-constexpr std::array<std::array<int, 2>, 4> kNeighbours{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
+constexpr std::array<std::array<int, 2>, 4> kNeighbors{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 
 }  // namespace
 
@@ -19,7 +19,7 @@ std::vector<NavigationGrid::Cell> NavigationGrid::path(Cell from, Cell to) const
   const auto at = [&](Cell c) { return field.found(c); };
   cells.push_back(from);
   while (at(cells.back()) > 0) {
-    for (const auto& d : kNeighbours) {
+    for (const auto& d : kNeighbors) {
       const Cell next{cells.back().x + d[0], cells.back().y + d[1]};
       if (free(next) && at(next) == at(cells.back()) - 1) {
         cells.push_back(next);
@@ -43,9 +43,9 @@ std::vector<Vec2> NavigationGrid::walk(const Vec2& from, const Vec2& to) const {
   std::vector<Vec2> points{from};
   for (std::size_t at = 0; at + 1 < cells.size();) {
     std::size_t next = cells.size() - 1;
-    while (next > at + 1 && !straight(centre(cells[at]), centre(cells[next]))) --next;
+    while (next > at + 1 && !straight(center(cells[at]), center(cells[next]))) --next;
     at = next;
-    points.push_back(at + 1 == cells.size() ? to : centre(cells[at]));
+    points.push_back(at + 1 == cells.size() ? to : center(cells[at]));
   }
   return points;
 }

@@ -24,7 +24,7 @@ Bounds group_bounds(const WorldState& state, const std::vector<std::size_t>& gro
 }
 
 /// Movable bodies that touch the bounds, with all that rests on or in them, without `group`. Sorted.
-std::vector<BodyId> neighbours(const WorldState& state, const Bounds& bounds, const std::vector<std::size_t>& group) {
+std::vector<BodyId> neighbors(const WorldState& state, const Bounds& bounds, const std::vector<std::size_t>& group) {
   std::vector<BodyId> found;
   for (const BodyId id : state.physics().near(bounds, kTouching_m)) {
     if (!id.is_node() || !state.node(id.index()).movable) continue;
@@ -123,7 +123,7 @@ ActionResult pick_up(WorldState& state, std::size_t i) {
 
   look_at(state, state.node(i).pose.position);
   const Bounds before = group_bounds(state, group);
-  const auto left_behind = neighbours(state, before, group);
+  const auto left_behind = neighbors(state, before, group);
   for (const std::size_t member : group) state.lift(member);
   state.edit_agent().held.push_back(id);
   state.set_hand({});
@@ -174,7 +174,7 @@ ActionResult place(WorldState& state, std::size_t target, bool inside, bool with
     }
     look_at(state, state.node(i).pose.position);
     const Bounds let_go = group_bounds(state, group);
-    const auto beside = neighbours(state, let_go, group);
+    const auto beside = neighbors(state, let_go, group);
     std::vector<BodyId> loose = bodies_of(group);
     loose.insert(loose.end(), beside.begin(), beside.end());
     const Settled settled = state.physics().settle(loose);
@@ -247,7 +247,7 @@ ActionResult drop(WorldState& state) {
   // Anything below may be hit.
   Bounds below = let_go;
   below.low.z() = 0;
-  const auto hit = neighbours(state, below, group);
+  const auto hit = neighbors(state, below, group);
   std::vector<BodyId> loose = bodies_of(group);
   loose.insert(loose.end(), hit.begin(), hit.end());
   const Settled settled = state.physics().settle(loose);

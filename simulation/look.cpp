@@ -47,13 +47,13 @@ Look look_of(const Node& node, const ShapeFamily* family) {
   return look;
 }
 
-Colour shown_filling(const Look& look) {
+Color shown_filling(const Look& look) {
   constexpr double kNear = 85, kInside = 0.55;  // a hollow is darker than the body
-  const auto apart = [&](const Colour& colour) {
-    return std::min((colour - look.base).cwiseAbs().maxCoeff(), (colour - kInside * look.base).cwiseAbs().maxCoeff());
+  const auto apart = [&](const Color& color) {
+    return std::min((color - look.base).cwiseAbs().maxCoeff(), (color - kInside * look.base).cwiseAbs().maxCoeff());
   };
-  Colour best = look.filling;
-  for (const Colour& other : {Colour(look.filling * 0.6), mixed(look.filling, {244, 232, 214}, 0.5)}) {
+  Color best = look.filling;
+  for (const Color& other : {Color(look.filling * 0.6), mixed(look.filling, {244, 232, 214}, 0.5)}) {
     if (apart(best) < kNear && apart(other) > apart(best)) best = other;
   }
   return best;

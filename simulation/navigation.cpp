@@ -18,7 +18,7 @@ Digest digest_of(std::size_t node, const std::vector<FloorFootprint>& shadows) {
   Digester digester;
   digester.add(std::uint64_t{node});
   for (const FloorFootprint& shadow : shadows) {
-    for (const Vec2& part : {shadow.centre, shadow.along, shadow.half}) digester.add(part.x()).add(part.y());
+    for (const Vec2& part : {shadow.center, shadow.along, shadow.half}) digester.add(part.x()).add(part.y());
   }
   return digester.digest();
 }
@@ -50,11 +50,11 @@ NavigationGrid::NavigationGrid(const Scene& scene, const Profile& profile)
     std::vector<double> crossings;
     for (int y = std::max(0, from.y); y <= std::min(height_ - 1, to.y); ++y) {
       crossings.clear();
-      each_crossing(room.polygon, centre({0, y}).y(), [&](double x) { crossings.push_back(x); });
+      each_crossing(room.polygon, center({0, y}).y(), [&](double x) { crossings.push_back(x); });
       std::sort(crossings.begin(), crossings.end());
       std::size_t passed = 0;
       for (int x = std::max(0, from.x); x <= std::min(width_ - 1, to.x); ++x) {
-        while (passed < crossings.size() && crossings[passed] <= centre({x, y}).x()) ++passed;
+        while (passed < crossings.size() && crossings[passed] <= center({x, y}).x()) ++passed;
         if ((crossings.size() - passed) % 2 == 1) open_floor({x, y});  // as in `contains`
       }
     }
@@ -69,7 +69,7 @@ NavigationGrid::NavigationGrid(const Scene& scene, const Profile& profile)
     const Cell to = cell_at(opening.from.cwiseMax(opening.to) + reach);
     for (int y = std::max(0, from.y); y <= std::min(height_ - 1, to.y); ++y) {
       for (int x = std::max(0, from.x); x <= std::min(width_ - 1, to.x); ++x) {
-        const Vec2 way = centre({x, y}) - opening.from;
+        const Vec2 way = center({x, y}) - opening.from;
         const double at = way.dot(along) / length, aside = way.x() * along.y() - way.y() * along.x();
         if (at >= 0 && at <= length && std::abs(aside) / length <= kDoorway_m) open_floor({x, y});
       }
@@ -94,14 +94,14 @@ void NavigationGrid::open_floor(Cell cell) {
 void NavigationGrid::count(const FloorFootprint& f, int by) {
   const Vec2 &u = f.along, v(-f.along.y(), f.along.x());
   const Vec2 reach = u.cwiseAbs() * f.half.x() + v.cwiseAbs() * f.half.y() + Vec2::Constant(body_radius_);
-  const Cell from = cell_at(f.centre - reach), to = cell_at(f.centre + reach);
+  const Cell from = cell_at(f.center - reach), to = cell_at(f.center + reach);
   const double limit = body_radius_ * body_radius_;
   for (int y = std::max(0, from.y); y <= std::min(height_ - 1, to.y); ++y) {
     Stretch* here = nullptr;
     for (int x = std::max(0, from.x); x <= std::min(width_ - 1, to.x); ++x) {
       const std::size_t at = static_cast<std::size_t>(x) % kStretch;
       if (at == 0) here = nullptr;
-      const Vec2 d = centre({x, y}) - f.centre;
+      const Vec2 d = center({x, y}) - f.center;
       const double out_u = std::max(0.0, std::abs(d.dot(u)) - f.half.x());
       const double out_v = std::max(0.0, std::abs(d.dot(v)) - f.half.y());
       if (out_u * out_u + out_v * out_v >= limit) continue;
@@ -141,7 +141,7 @@ std::optional<NavigationGrid::Cell> NavigationGrid::nearest_free(const Vec2& poi
   const auto look = [&](int x, int y) {
     const Cell cell{x, y};
     if (!free(cell)) return;
-    const double d = (centre(cell) - point).squaredNorm();
+    const double d = (center(cell) - point).squaredNorm();
     const bool nearer = d < best_distance || (d == best_distance && std::pair(y, x) < std::pair(best->y, best->x));
     if (!nearer) return;
     best_distance = d;

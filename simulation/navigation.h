@@ -39,7 +39,7 @@ class NavigationGrid {
     const Vec2 cells = (point - origin_) / kCell_m;
     return {static_cast<std::int32_t>(std::floor(cells.x())), static_cast<std::int32_t>(std::floor(cells.y()))};
   }
-  Vec2 centre(Cell cell) const { return origin_ + Vec2((cell.x + 0.5) * kCell_m, (cell.y + 0.5) * kCell_m); }
+  Vec2 center(Cell cell) const { return origin_ + Vec2((cell.x + 0.5) * kCell_m, (cell.y + 0.5) * kCell_m); }
   int width() const { return width_; }  // cells
   int height() const { return height_; }
 

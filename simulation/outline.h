@@ -47,7 +47,7 @@ struct ManyOverImage {
 /// exactly where none of its `sides` is negative, and there 1 / depth is the minimum of its `faces`.
 struct Outline {
   Outline(const Solid& solid, const Camera& camera)
-      : owner(solid.owner), clear(solid.clear), target(solid), from(target.to_own * (camera.at - target.centre)) {}
+      : owner(solid.owner), clear(solid.clear), target(solid), from(target.to_own * (camera.at - target.center)) {}
 
   PixelBox cover{};                  // bounds of the pixels that it may cover
   double nearest = 0, farthest = 0;  // depth, meters

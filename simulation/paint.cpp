@@ -13,7 +13,7 @@ namespace {
 
 struct Named {
   std::string_view name;
-  std::array<double, 3> colour;
+  std::array<double, 3> color;
 };
 
 constexpr std::array<Named, 32> kSubstances{
@@ -29,11 +29,11 @@ constexpr std::array<Named, 32> kSubstances{
      {"snow", {244, 248, 252}},   {"flour", {244, 240, 230}},    {"sugar", {248, 246, 242}},
      {"mustard", {214, 170, 30}}, {"water", {116, 176, 224}}}};
 
-Colour colour(const std::array<double, 3>& rgb) { return {rgb[0], rgb[1], rgb[2]}; }
-Colour colour(const Rgb& rgb) { return {1.0 * rgb[0], 1.0 * rgb[1], 1.0 * rgb[2]}; }
+Color color(const std::array<double, 3>& rgb) { return {rgb[0], rgb[1], rgb[2]}; }
+Color color(const Rgb& rgb) { return {1.0 * rgb[0], 1.0 * rgb[1], 1.0 * rgb[2]}; }
 
 /// Whether things of this material mostly have its own color.
-bool has_colour(Matter matter) {
+bool has_color(Matter matter) {
   switch (matter) {
     case Matter::Metal:
     case Matter::Glass:
@@ -49,7 +49,7 @@ bool has_colour(Matter matter) {
 }
 
 /// Default color of furniture by archetype.
-Colour plain_paint(const Node& node) {
+Color plain_paint(const Node& node) {
   switch (node.archetype) {
     case Archetype::Table:
     case Archetype::Shelf:
@@ -71,22 +71,22 @@ Colour plain_paint(const Node& node) {
   // Small objects contrast with what they lie on, by category.
   constexpr std::array<std::array<double, 3>, 6> kSmall{
       {{206, 120, 84}, {120, 158, 110}, {104, 140, 186}, {214, 178, 92}, {168, 126, 170}, {196, 102, 112}}};
-  return colour(kSmall[number_of(node.category) % kSmall.size()]);
+  return color(kSmall[number_of(node.category) % kSmall.size()]);
 }
 
 }  // namespace
 
-Colour paint_of(const Node& node, const ShapeFamily* family) {
-  const Rgb* known = colour_named(node.colour);
+Color paint_of(const Node& node, const ShapeFamily* family) {
+  const Rgb* known = color_named(node.color);
   const Material* material = material_named(node.material);
-  const bool telling = material != nullptr && has_colour(material->matter);
+  const bool telling = material != nullptr && has_color(material->matter);
   if (known == nullptr && !telling && family != nullptr) {
-    const std::string* usual = usual_colour(*family, number_of(node.id));
-    if (usual != nullptr) known = colour_named(*usual);
+    const std::string* usual = usual_color(*family, number_of(node.id));
+    if (usual != nullptr) known = color_named(*usual);
   }
-  const Colour base = known != nullptr      ? colour(*known)
-                      : material != nullptr ? colour(material->colour)
-                                            : plain_paint(node);
+  const Color base = known != nullptr      ? color(*known)
+                     : material != nullptr ? color(material->color)
+                                           : plain_paint(node);
   constexpr double kShade = 0.09;  // lightest against darkest
   return base * (1 - kShade / 2 + kShade * (number_of(node.id) % 16) / 15.0);
 }
@@ -117,28 +117,28 @@ Matter matter_of(const Node& node, const ShapeFamily* family) {
   }
 }
 
-Colour substance_paint(std::string_view substance) {
+Color substance_paint(std::string_view substance) {
   for (const Named& known : kSubstances) {
-    if (substance.find(known.name) != std::string_view::npos) return colour(known.colour);
+    if (substance.find(known.name) != std::string_view::npos) return color(known.color);
   }
   return {226, 206, 140};
 }
 
-Colour floor_paint(const Room* room, const Vec2& at) {
+Color floor_paint(const Room* room, const Vec2& at) {
   if (room == nullptr) return {150, 156, 150};
   const auto cell = [](double way, double size) { return static_cast<int>(std::floor(way / size)); };
   if (room->type == "kitchen" || room->type == "bathroom") {
     constexpr double kTile_m = 0.4;
     const bool dark = (cell(at.x(), kTile_m) + cell(at.y(), kTile_m)) % 2 != 0;
-    return dark ? Colour(186, 190, 192) : Colour(204, 207, 208);
+    return dark ? Color(186, 190, 192) : Color(204, 207, 208);
   }
   constexpr double kBoard_m = 0.16;
   constexpr std::array<double, 3> kShades{1.0, 0.94, 0.97};
   const int board = cell(at.y(), kBoard_m);
-  return Colour(190, 156, 116) * kShades[static_cast<std::size_t>(((board % 3) + 3) % 3)];
+  return Color(190, 156, 116) * kShades[static_cast<std::size_t>(((board % 3) + 3) % 3)];
 }
 
-Colour wall_paint(double height_m, double wall_height_m) {
+Color wall_paint(double height_m, double wall_height_m) {
   constexpr double kBoard_m = 0.09, kShade_m = 0.3;
   if (height_m < kBoard_m) return {196, 190, 178};
   return kWallPaint * (0.93 + 0.07 * std::clamp((wall_height_m - height_m) / kShade_m, 0.0, 1.0));

@@ -8,22 +8,22 @@
 namespace unietp {
 
 /// Red, green and blue, 0 to 255, before shading.
-using Colour = Vec3;
+using Color = Vec3;
 
 /// A node's color: its own if known, else that of a material that has one color, else a usual one of its shape, else
 /// that of its material or archetype; slightly varied by id.
-Colour paint_of(const Node& node, const ShapeFamily* family = nullptr);
+Color paint_of(const Node& node, const ShapeFamily* family = nullptr);
 /// Of the node's material; where that is not known, that of its shape, or what things of its archetype or with its
 /// states are mostly made of.
 Matter matter_of(const Node& node, const ShapeFamily* family = nullptr);
 /// Of what fills or covers an object, by words of its name: coffee brown, milk white. Others: a pale yellow.
-Colour substance_paint(std::string_view substance);
+Color substance_paint(std::string_view substance);
 
-/// Floors: tiles in kitchens and bathrooms, boards elsewhere, a plain grey outside of all rooms (nullptr).
-Colour floor_paint(const Room* room, const Vec2& at);
+/// Floors: tiles in kitchens and bathrooms, boards elsewhere, a plain gray outside of all rooms (nullptr).
+Color floor_paint(const Room* room, const Vec2& at);
 /// Walls: a baseboard, and a shade less light below the ceiling.
-Colour wall_paint(double height_m, double wall_height_m);
+Color wall_paint(double height_m, double wall_height_m);
 /// Of walls, ceilings and openings.
-inline const Colour kWallPaint(226, 221, 210), kCeilingPaint(240, 240, 238), kOpenPaint(205, 222, 235);
+inline const Color kWallPaint(226, 221, 210), kCeilingPaint(240, 240, 238), kOpenPaint(205, 222, 235);
 
 }  // namespace unietp

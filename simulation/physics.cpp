@@ -190,7 +190,7 @@ std::vector<Contact> PhysicsWorld::contacts(BodyId id, double gap) const {
   const Body& body = impl_->at(id);
   std::vector<Convex> sunk = body.parts();
   for (Convex& part : sunk) {
-    part.centre.z() -= gap;
+    part.center.z() -= gap;
     part.bounds = lowered(part.bounds, gap);
   }
   std::vector<Contact> all;

@@ -46,8 +46,8 @@ class Painter {
     picture.rgb.reserve(3 * size());
     for (int y = 0; y < camera_.height; ++y) {
       for (int x = 0; x < camera_.width; ++x) {
-        const Colour colour = colour_at(x, y) * rim_at(x, y);
-        for (int c = 0; c < 3; ++c) picture.rgb.push_back(byte_of(colour[c]));
+        const Color color = color_at(x, y) * rim_at(x, y);
+        for (int c = 0; c < 3; ++c) picture.rgb.push_back(byte_of(color[c]));
       }
     }
     for (std::size_t i = 0; i < looks_.size(); ++i) {
@@ -109,35 +109,35 @@ class Painter {
 
   static std::uint8_t byte_of(double value) { return static_cast<std::uint8_t>(std::clamp(value, 0.0, 255.0) + 0.5); }
 
-  Colour colour_at(int x, int y) { return colour_of(spots_[index(x, y)], way(x, y), light_at(x, y), 0); }
+  Color color_at(int x, int y) { return color_of(spots_[index(x, y)], way(x, y), light_at(x, y), 0); }
 
   /// Of a spot on a ray from the camera, lit, with what is seen through it. `through`: how many clear solids lie before
   /// it.
-  Colour colour_of(const PixelHit& spot, const Vec3& direction, const Vec3& light, int through) {
+  Color color_of(const PixelHit& spot, const Vec3& direction, const Vec3& light, int through) {
     constexpr int kMostThrough = 64;  // bounds the recursion; so much glass lets nothing through that could be seen
     const Vec3 at = camera_.at + spot.depth * direction;
     const Finish finish = finish_at(spot, at, direction);
-    if (finish.glows) return finish.colour;
-    Colour colour = finish.colour.cwiseProduct(light);
+    if (finish.glows) return finish.color;
+    Color color = finish.color.cwiseProduct(light);
     if (finish.clear > 0 && through < kMostThrough) {
       const SolidHit here{spot.depth, static_cast<std::size_t>(spot.solid), spot.normal};
       const auto hit = rays_.next(camera_.at, direction, kEverywhere_m, here);
       const PixelHit next =
           hit ? PixelHit{static_cast<std::int32_t>(hit->solid), hit->along, hit->normal} : shell(camera_.at, direction);
-      const Colour behind = colour_of(next, direction, lit(next, direction), through + 1);
-      colour = mixed(colour, behind.cwiseProduct(Vec3(0.94, 0.98, 1.0)), finish.clear);
+      const Color behind = color_of(next, direction, lit(next, direction), through + 1);
+      color = mixed(color, behind.cwiseProduct(Vec3(0.94, 0.98, 1.0)), finish.clear);
     }
-    return finish.gloss > 0 ? shining(colour, finish.gloss, spot.normal, direction) : colour;
+    return finish.gloss > 0 ? shining(color, finish.gloss, spot.normal, direction) : color;
   }
 
   /// Reflections of the lamp, and of a bright ceiling above a darker floor.
-  static Colour shining(const Colour& colour, double gloss, const Vec3& normal, const Vec3& direction) {
+  static Color shining(const Color& color, double gloss, const Vec3& normal, const Vec3& direction) {
     const Vec3 eye = direction.normalized(), mirrored = eye - 2 * eye.dot(normal) * normal;
     const double above = ramp(-0.35, 0.75, mirrored.z()), square = gloss * gloss;
     const double lamp = std::max(0.0, mirrored.dot(kSun));
     const double two = lamp * lamp, four = two * two, eight = four * four;
-    return colour * (1 - 0.42 * square * (1 - above)) +
-           Colour::Constant(150 * gloss * eight * eight + 34 * square * above);
+    return color * (1 - 0.42 * square * (1 - above)) +
+           Color::Constant(150 * gloss * eight * eight + 34 * square * above);
   }
 
   /// Whether a point of a door's front is on its handle.
@@ -153,9 +153,9 @@ class Painter {
   }
 
   static Look coated(Look look, const Solid& solid) {
-    if (solid.colour) {
-      const Rgb& rgb = *solid.colour;
-      look.base = Colour(rgb[0], rgb[1], rgb[2]);
+    if (solid.color) {
+      const Rgb& rgb = *solid.color;
+      look.base = Color(rgb[0], rgb[1], rgb[2]);
     } else {
       look.base = (look.base * solid.shade).cwiseMin(250);
     }
@@ -175,7 +175,7 @@ class Painter {
     if (solid.owner < 0) return {wall_paint(at.z(), scene_.wall_height)};
     const auto owner = static_cast<std::size_t>(solid.owner);
     const Body& body = bodies_[owner];
-    const bool own = solid.colour || solid.matter || solid.shade != 1;
+    const bool own = solid.color || solid.matter || solid.shade != 1;
     Look changed;
     if (own) changed = coated(looks_[owner], solid);
     const Look& look = own ? changed : looks_[owner];
@@ -189,14 +189,14 @@ class Painter {
       point.normal = rotated(back, spot.normal);
       point.inner = point.at.cwiseQuotient(solid.size / 2);
     } else {
-      point.at = body.to_own * (at - body.centre);
+      point.at = body.to_own * (at - body.center);
       point.normal = body.to_own * spot.normal;
       point.inner = point.at.cwiseQuotient(look.half);
     }
     Finish finish = finish_of(look, point);
     finish.clear = solid.clear ? std::max(finish.clear, kLeastClear) : 0;
     constexpr double kDoor = 0.93;  // doors are slightly darker than the body
-    if (solid.moves && !finish.glows) finish.colour *= kDoor;
+    if (solid.moves && !finish.glows) finish.color *= kDoor;
     if (on_handle(solid, point)) finish = {{62, 62, 66}, 0.6};
     return finish;
   }
@@ -262,7 +262,7 @@ class Painter {
         const double share = puff.strength * (1 - away) * (1 - away);
         for (std::size_t c = 0; c < 3; ++c) {
           std::uint8_t& value = picture.rgb[3 * index(x, y) + c];
-          value = byte_of(value + share * (puff.colour[static_cast<Eigen::Index>(c)] - value));
+          value = byte_of(value + share * (puff.color[static_cast<Eigen::Index>(c)] - value));
         }
       }
     }
@@ -305,7 +305,7 @@ class Painter {
   const Rays& rays_;
   struct Body {
     Eigen::Matrix3d to_own;
-    Vec3 centre;
+    Vec3 center;
   };
   inline static const Eigen::Vector3f kDark{-1, -1, -1};  // not computed
   std::vector<Body> bodies_;                              // of the nodes
@@ -336,7 +336,7 @@ std::vector<Node> held_before(const Scene& scene, const Camera& camera) {
     Node node = *known;
     const double small = std::min(1.0, kMost_m / node.size.maxCoeff());
     node.size *= small;
-    for (Board& board : node.boards) board.centre *= small, board.size *= small;
+    for (Board& board : node.boards) board.center *= small, board.size *= small;
     const double aside = kAside * camera.width / 2 / camera.focal, down = kDown * camera.height / 2 / camera.focal;
     const double side = held.empty() ? 1 : -1;
     node.pose = upright(camera.at + kAhead_m * (camera.ahead + side * aside * camera.right + down * camera.down),
@@ -380,11 +380,11 @@ std::optional<std::size_t> node_at(const ViewedScene& viewed, const Profile& pro
   return static_cast<std::size_t>(rays.solids()[hit->solid].owner);
 }
 
-void draw_box(Picture& picture, const std::array<int, 4>& box, const std::array<std::uint8_t, 3>& colour) {
+void draw_box(Picture& picture, const std::array<int, 4>& box, const std::array<std::uint8_t, 3>& color) {
   const auto dot = [&](int x, int y) {
     const auto at =
         3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x));
-    std::copy(colour.begin(), colour.end(), picture.rgb.begin() + static_cast<std::ptrdiff_t>(at));
+    std::copy(color.begin(), color.end(), picture.rgb.begin() + static_cast<std::ptrdiff_t>(at));
   };
   for (int x = box[0]; x <= box[2]; ++x) {
     dot(x, box[1]);

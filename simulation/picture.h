@@ -31,6 +31,6 @@ Picture picture_of(const ViewedScene& viewed, const Camera& camera, Rays& rays);
 std::optional<std::size_t> node_at(const ViewedScene& viewed, const Profile& profile, int x, int y, Rays& rays);
 
 /// Draws a line of one pixel around a box [x0, y0, x1, y1], both ends included, as World::visible gives them.
-void draw_box(Picture& picture, const std::array<int, 4>& box, const std::array<std::uint8_t, 3>& colour);
+void draw_box(Picture& picture, const std::array<int, 4>& box, const std::array<std::uint8_t, 3>& color);
 
 }  // namespace unietp

@@ -26,7 +26,7 @@ Portrait portrait_scene(const Node& object, const Profile& profile, const Portra
     table.archetype = Archetype::Block;
     table.size = Vec3(40 * radius, 40 * radius, kTable_m);
     table.pose.position.z() = kTable_m / 2;
-    table.colour = "beige";
+    table.color = "beige";
     scene.nodes.push_back(table);
   }
   shown.pose = {Vec3(0, 0, (options.on_table ? kTable_m : 0) + shown.size.z() / 2), Quat::Identity()};
@@ -60,7 +60,7 @@ Node object_of(const Knowledge& knowledge, const Category& category, std::uint32
   node.archetype = category.archetype;
   node.size = category.size;
   node.mass = category.mass;
-  node.colour = usual(category.colours);
+  node.color = usual(category.colors);
   node.material = usual(category.materials);
   node.openable = knowledge.has(category.name, "openable");
   set_default_states(node, knowledge);

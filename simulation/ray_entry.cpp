@@ -220,7 +220,7 @@ RayEntry enter_crate(const RayTarget& solid, const Vec3& from, const Vec3& way) 
 RayTarget::RayTarget(const Solid& solid)
     : to_own(solid.pose.rotation.toRotationMatrix().transpose()),
       forms(to_own),
-      centre(solid.pose.position),
+      center(solid.pose.position),
       half(solid.size / 2),
       kind(solid.kind),
       sheared(solid.sheared),

@@ -14,7 +14,7 @@ struct RayTarget {
   explicit RayTarget(const Solid& solid);
   Eigen::Matrix3d to_own;  // of points and directions
   Eigen::Matrix3d forms;   // of linear forms on W, as those on its own frame: the transposed inverse
-  Vec3 centre, half;
+  Vec3 center, half;
   SolidKind kind;
   bool sheared = false;
   Vec2 low = Vec2::Ones(), high = Vec2::Ones();  // half widths at z = -half.z() and half.z(), of the half extents

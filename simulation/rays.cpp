@@ -15,7 +15,7 @@ namespace {
 constexpr double kGrown_m = 0.002;  // thousands of times the error of single precision within a home
 
 RayEntry enter_from_w(const RayTarget& solid, const Vec3& from, const Vec3& direction) {
-  return enter(solid, solid.to_own * (from - solid.centre), solid.to_own * direction);
+  return enter(solid, solid.to_own * (from - solid.center), solid.to_own * direction);
 }
 
 /// A ray query, passed through Embree to the callback below.
@@ -31,7 +31,7 @@ struct RayQuery {
 void bounds_of_solid(const RTCBoundsFunctionArguments* asked) {
   const RayTarget& solid = static_cast<const RayTarget*>(asked->geometryUserPtr)[asked->primID];
   const Vec3 half = (solid.forms.transpose().cwiseAbs() * solid.half).array() + kGrown_m;
-  const Vec3 low = solid.centre - half, high = solid.centre + half;
+  const Vec3 low = solid.center - half, high = solid.center + half;
   *asked->bounds_o = {static_cast<float>(low.x()),  static_cast<float>(low.y()),  static_cast<float>(low.z()),  0,
                       static_cast<float>(high.x()), static_cast<float>(high.y()), static_cast<float>(high.z()), 0};
 }

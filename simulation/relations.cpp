@@ -30,13 +30,13 @@ std::vector<Vec3> corners_of(const Node& node) {
 bool lies_in(const Node& node, const Node& container, const Shape& shape) {
   for (const Cavity& cavity : shape.cavities) {
     const Pose to_cavity = inverse(container.pose * joint_motion(shape, cavity.joint, container.opening));
-    const Vec3 centre = to_cavity * node.pose.position - cavity.centre;
-    if (std::abs(centre.x()) > cavity.half.x() || std::abs(centre.y()) > cavity.half.y()) continue;
+    const Vec3 center = to_cavity * node.pose.position - cavity.center;
+    if (std::abs(center.x()) > cavity.half.x() || std::abs(center.y()) > cavity.half.y()) continue;
     double lowest = std::numeric_limits<double>::infinity();
-    for (const Vec3& corner : corners_of(node)) lowest = std::min(lowest, (to_cavity * corner - cavity.centre).z());
+    for (const Vec3& corner : corners_of(node)) lowest = std::min(lowest, (to_cavity * corner - cavity.center).z());
     if (lowest < -cavity.half.z() - kBelowFloor_m) continue;
     const double highest_start = cavity.half.z() * (2 * kStickOut - 1);
-    const bool in = cavity.open_above ? lowest < highest_start : std::abs(centre.z()) <= cavity.half.z();
+    const bool in = cavity.open_above ? lowest < highest_start : std::abs(center.z()) <= cavity.half.z();
     if (in) return true;
   }
   return false;

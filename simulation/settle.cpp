@@ -28,7 +28,7 @@ Pose from_bullet(const btTransform& t) {
 btTransform to_bullet(const Convex& part) {
   const auto& m = part.axes;
   return btTransform(btMatrix3x3(m(0, 0), m(0, 1), m(0, 2), m(1, 0), m(1, 1), m(1, 2), m(2, 0), m(2, 1), m(2, 2)),
-                     to_bullet(part.centre));
+                     to_bullet(part.center));
 }
 
 /// Small memory pools: allocating Bullet's default pools of 4096 entries would take longer than the simulation.
@@ -58,7 +58,7 @@ class Dynamics {
 
   btRigidBody& add_loose(const SettlingBody& body) {
     const auto& parts = body.collider->parts;
-    const bool simple = parts.size() == 1 && parts.front().centre.isZero() && parts.front().axes.isIdentity(0);
+    const bool simple = parts.size() == 1 && parts.front().center.isZero() && parts.front().axes.isIdentity(0);
     btCollisionShape* shape = nullptr;
     if (simple) {
       shape = shape_of(parts.front());

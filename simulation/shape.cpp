@@ -265,7 +265,7 @@ int cavity_at(const Shape& shape, const Vec3& point, int joint) {
   for (std::size_t i = 0; i < shape.cavities.size(); ++i) {
     const Cavity& cavity = shape.cavities[i];
     if (cavity.joint != joint) continue;
-    if (((point - cavity.centre).cwiseAbs() - cavity.half).maxCoeff() < kSurfaceEdge_m) return static_cast<int>(i);
+    if (((point - cavity.center).cwiseAbs() - cavity.half).maxCoeff() < kSurfaceEdge_m) return static_cast<int>(i);
   }
   return -1;
 }
@@ -279,10 +279,10 @@ Shape shape_of(const Node& node) {
   shape.parts.clear();
   for (Board& board : boards) {
     if (board.joint >= static_cast<int>(shape.joints.size())) board.joint = -1;
-    shape.parts.push_back({Part::Kind::Box, {board.centre, Quat::Identity()}, board.size, board.joint});
+    shape.parts.push_back({Part::Kind::Box, {board.center, Quat::Identity()}, board.size, board.joint});
   }
   shape.surfaces = surfaces_on(boards);
-  for (Surface& surface : shape.surfaces) surface.cavity = cavity_at(shape, surface.centre, surface.joint);
+  for (Surface& surface : shape.surfaces) surface.cavity = cavity_at(shape, surface.center, surface.joint);
   return shape;
 }
 

@@ -29,7 +29,7 @@ struct Joint {
 
 /// A hollow space: what lies in it is `inside`.
 struct Cavity {
-  Vec3 centre = Vec3::Zero(), half = Vec3::Zero();
+  Vec3 center = Vec3::Zero(), half = Vec3::Zero();
   int joint = -1;           // slides with this joint (a drawer)
   bool closable = false;    // hidden and out of reach while the joints are closed
   bool open_above = false;  // things may stick out at the top

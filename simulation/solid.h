@@ -35,7 +35,7 @@ struct Solid {
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  // columns: the half axes of its own frame, W
   Vec2 low = Vec2::Ones(), high = Vec2::Ones();        // half widths at its lower and upper end
   double wall = 0, floor = 0;                          // of hollows, in its own frame
-  std::optional<Rgb> colour{};                         // its own; nullopt: the object's, times `shade`
+  std::optional<Rgb> color{};                          // its own; nullopt: the object's, times `shade`
   double shade = 1;
   std::optional<Matter> matter{};  // nullopt: the object's
   double handle = 0;               // of doors and drawers: 1 or -1: on the right or left side; 2: across

@@ -38,7 +38,7 @@ void add_piece(const Piece& piece, const Node& node, std::int32_t owner, std::ve
       solid.kind = SolidKind::Crate;
       break;
   }
-  solid.pose = {node.pose.position + to_w * piece.centre, node.pose.rotation};
+  solid.pose = {node.pose.position + to_w * piece.center, node.pose.rotation};
   solid.size = piece.axes.cwiseAbs().rowwise().sum().cwiseProduct(node.size);
   solid.owner = owner;
   solid.sheared = true;
@@ -47,7 +47,7 @@ void add_piece(const Piece& piece, const Node& node, std::int32_t owner, std::ve
   solid.high = piece.high;
   solid.wall = piece.wall;
   solid.floor = piece.floor;
-  solid.colour = piece.colour;
+  solid.color = piece.color;
   solid.shade = piece.shade;
   solid.matter = piece.matter;
   solid.screen = piece.screen;
@@ -128,8 +128,8 @@ void add_solids(const Node& node, std::int32_t owner, Simulator simulator, std::
 std::vector<Solid> solids_of(const Scene& scene, const Camera& camera, double farthest,
                              const std::vector<std::size_t>& hidden) {
   std::vector<Solid> solids;
-  const auto matters = [&](const Vec3& centre, double radius) {
-    return (centre - camera.at).norm() - radius <= farthest && camera.may_show(centre, radius);
+  const auto matters = [&](const Vec3& center, double radius) {
+    return (center - camera.at).norm() - radius <= farthest && camera.may_show(center, radius);
   };
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     const Node& node = scene.nodes[i];

@@ -48,7 +48,7 @@ SurfaceFit for_each_spot(const Node& receptacle, const Shape& shape, const Vec3&
       const int nx = steps(room.x()), ny = steps(room.y());
       for (int i = -nx; i <= nx; ++i) {
         for (int k = -ny; k <= ny; ++k) {
-          const Vec3 local = surface.centre + Vec3(i * kSpotPitch_m, k * kSpotPitch_m, extent.high.z() + kLetGo_m);
+          const Vec3 local = surface.center + Vec3(i * kSpotPitch_m, k * kSpotPitch_m, extent.high.z() + kLetGo_m);
           if (!visit(frame * Pose{local, orientation})) return offer;
         }
       }

@@ -36,7 +36,7 @@ class Reach {
   bool beyond(const Vec2& at, double limit) const {
     constexpr double kSlack = 1e-9;
     if (!upright_) return false;
-    const Vec2 d = at - rectangle_.centre;
+    const Vec2 d = at - rectangle_.center;
     const double out_u = std::max(0.0, std::abs(d.dot(rectangle_.along)) - rectangle_.half.x());
     const double out_v =
         std::max(0.0, std::abs(d.y() * rectangle_.along.x() - d.x() * rectangle_.along.y()) - rectangle_.half.y());
@@ -123,7 +123,7 @@ void StandingCells::look_farther(const StandingInputs& asked, double limit_m) {
     for (int x = std::max(0, from.x); x <= std::min(grid.width() - 1, to.x); ++x) {
       const NavigationGrid::Cell cell{x, y};
       if (!walk.has(x, y)) continue;
-      const Vec2 at = grid.centre(cell);
+      const Vec2 at = grid.center(cell);
       if (reach.beyond(at, limit)) continue;
       const double distance = reach(at);
       if (distance > limit || distance <= looked_m_) continue;

@@ -9,14 +9,14 @@ namespace {
 
 constexpr double kDarkest = 110;  // what is darker gets light stains
 
-double brightness(const Colour& colour) { return colour.dot(Vec3(0.3, 0.59, 0.11)); }
+double brightness(const Color& color) { return color.dot(Vec3(0.3, 0.59, 0.11)); }
 
 void dirty(const Look& look, const SurfacePoint& point, Finish& finish) {
-  const Colour mud = brightness(look.base) < kDarkest ? Colour(198, 172, 124) : Colour(82, 58, 36);
+  const Color mud = brightness(look.base) < kDarkest ? Color(198, 172, 124) : Color(82, 58, 36);
   const double stain = rough_noise(look.grain * point.at, look.seed + 17);
   const double speck = noise(5 * look.grain * point.at, look.seed + 18);
   const double share = std::max(0.92 * ramp(0.46, 0.54, stain), 0.8 * ramp(0.78, 0.84, speck));
-  finish.colour = mixed(finish.colour, mud, share);
+  finish.color = mixed(finish.color, mud, share);
   finish.gloss *= 1 - share;
   finish.clear *= 1 - share;
   finish.glows = finish.glows && share < 0.5;
@@ -24,16 +24,16 @@ void dirty(const Look& look, const SurfacePoint& point, Finish& finish) {
 
 /// A layer with gaps, thicker above.
 void covered(const Look& look, const SurfacePoint& point, Finish& finish) {
-  const auto apart = [&](const Colour& colour) { return (colour - look.base).cwiseAbs().maxCoeff(); };
-  Colour cover = look.cover;
+  const auto apart = [&](const Color& color) { return (color - look.base).cwiseAbs().maxCoeff(); };
+  Color cover = look.cover;
   if (apart(cover) < 85) {
-    const Colour darker = 0.5 * look.cover, lighter = (1.6 * look.cover).cwiseMin(255);
+    const Color darker = 0.5 * look.cover, lighter = (1.6 * look.cover).cwiseMin(255);
     cover = apart(darker) > apart(lighter) ? darker : lighter;
   }
   const double layer =
       rough_noise(1.6 * look.grain * point.at, look.seed + 29) + 0.16 * std::max(0.0, point.normal.z());
   const double share = 0.95 * ramp(0.36, 0.44, layer);
-  finish.colour = mixed(finish.colour, cover * (0.9 + 0.2 * layer), share);
+  finish.color = mixed(finish.color, cover * (0.9 + 0.2 * layer), share);
   finish.gloss *= 1 - 0.7 * share;
   finish.clear *= 1 - share;
 }
@@ -41,42 +41,42 @@ void covered(const Look& look, const SurfacePoint& point, Finish& finish) {
 /// Dark with water, with drops that shine.
 void soaked(const Look& look, const SurfacePoint& point, Finish& finish) {
   const bool dark = brightness(look.base) < kDarkest;
-  finish.colour =
-      dark ? mixed(finish.colour, {88, 124, 168}, 0.45) : Colour(finish.colour.cwiseProduct(Vec3(0.44, 0.5, 0.6)));
+  finish.color =
+      dark ? mixed(finish.color, {88, 124, 168}, 0.45) : Color(finish.color.cwiseProduct(Vec3(0.44, 0.5, 0.6)));
   finish.gloss = 0.8;
   const CellAt drop = cell_at(4 * look.grain * point.at, look.seed + 31);
-  if (drop.to_middle < 0.3) finish.colour = mixed(finish.colour, {214, 234, 250}, drop.to_middle < 0.16 ? 0.85 : 0.4);
+  if (drop.to_middle < 0.3) finish.color = mixed(finish.color, {214, 234, 250}, drop.to_middle < 0.16 ? 0.85 : 0.4);
 }
 
 void cold(const Look& look, const SurfacePoint& point, Finish& finish) {
   if (look.frozen) {  // frost with needles, almost all over
     const double frost = rough_noise(3 * look.grain * point.at, look.seed + 37);
     const double needle = cell_at(3.5 * look.grain * point.at, look.seed + 38).to_border;
-    const Colour ice = brightness(look.base) > 205 ? Colour(150, 196, 236) : Colour(234, 244, 253);
-    finish.colour = mixed(finish.colour, ice, 0.5 + 0.4 * ramp(0.3, 0.6, frost));
-    if (needle < 0.07) finish.colour = {252, 254, 255};
+    const Color ice = brightness(look.base) > 205 ? Color(150, 196, 236) : Color(234, 244, 253);
+    finish.color = mixed(finish.color, ice, 0.5 + 0.4 * ramp(0.3, 0.6, frost));
+    if (needle < 0.07) finish.color = {252, 254, 255};
     finish.gloss = 0.5;
     finish.clear = 0;
     return;
   }
   // A blue film with drops of condensed water.
-  finish.colour = mixed(finish.colour, {108, 164, 226}, 0.62);
+  finish.color = mixed(finish.color, {108, 164, 226}, 0.62);
   const CellAt drop = cell_at(5 * look.grain * point.at, look.seed + 41);
-  if (drop.to_middle < 0.24) finish.colour = mixed(finish.colour, {240, 248, 255}, 0.8);
+  if (drop.to_middle < 0.24) finish.color = mixed(finish.color, {240, 248, 255}, 0.8);
   finish.clear *= 0.5;
 }
 
 /// A warm glow that rises from below; steam is added above (glow.h).
 void hot(const SurfacePoint& point, Finish& finish) {
-  finish.colour = mixed(finish.colour, {255, 92, 36}, 0.38 - 0.22 * ramp(-1, 1, point.inner.z()));
+  finish.color = mixed(finish.color, {255, 92, 36}, 0.38 - 0.22 * ramp(-1, 1, point.inner.z()));
 }
 
 void cooked(const Look& look, const SurfacePoint& point, Finish& finish) {
   const double brown = rough_noise(1.5 * look.grain * point.at, look.seed + 43);
-  const Colour crust = brightness(look.base) < kDarkest ? Colour(206, 138, 62) : Colour(142, 84, 36);
-  finish.colour = mixed(finish.colour, crust, 0.55 + 0.4 * brown);
+  const Color crust = brightness(look.base) < kDarkest ? Color(206, 138, 62) : Color(142, 84, 36);
+  finish.color = mixed(finish.color, crust, 0.55 + 0.4 * brown);
   const double stripe = wave(1.1 * look.grain * (point.at.x() + point.at.y()));  // of the grill
-  finish.colour *= 1 - 0.55 * ramp(0.74, 0.86, stripe);
+  finish.color *= 1 - 0.55 * ramp(0.74, 0.86, stripe);
   finish.gloss = 0.4;
 }
 
@@ -84,8 +84,8 @@ void burnt(const Look& look, const SurfacePoint& point, Finish& finish) {
   const double ash = noise(6 * look.grain * point.at, look.seed + 47);
   const double char_ = rough_noise(1.2 * look.grain * point.at, look.seed + 48);
   const bool dark = brightness(look.base) < 70;
-  finish.colour = mixed(finish.colour, {22, 19, 18}, 0.8 + 0.18 * char_);
-  if (ash > (dark ? 0.5 : 0.72)) finish.colour = mixed(finish.colour, {176, 172, 168}, dark ? 0.8 : 0.55);
+  finish.color = mixed(finish.color, {22, 19, 18}, 0.8 + 0.18 * char_);
+  if (ash > (dark ? 0.5 : 0.72)) finish.color = mixed(finish.color, {176, 172, 168}, dark ? 0.8 : 0.55);
   finish.gloss = 0;
 }
 
@@ -97,13 +97,13 @@ void cut(const Look& look, const SurfacePoint& point, Finish& finish) {
   for (Vec3::Index axis = 0; axis < 3; ++axis) {
     if (axis != face) rim = std::max(rim, std::abs(point.inner[axis]));
   }
-  const Colour flesh = brightness(look.base) > 190 ? Colour(look.base.cwiseProduct(Vec3(0.78, 0.66, 0.42)))
-                                                   : mixed(look.base, {252, 240, 196}, 0.72);
+  const Color flesh = brightness(look.base) > 190 ? Color(look.base.cwiseProduct(Vec3(0.78, 0.66, 0.42)))
+                                                  : mixed(look.base, {252, 240, 196}, 0.72);
   if (face == 2) {
-    finish.colour = mixed(finish.colour, flesh, 0.85 * ramp(0.3, 0.5, wave(1.5 * (point.inner.x() + point.inner.y()))));
+    finish.color = mixed(finish.color, flesh, 0.85 * ramp(0.3, 0.5, wave(1.5 * (point.inner.x() + point.inner.y()))));
   } else if (rim < 0.8) {
     const double pip = cell_at(3 * look.grain * point.at, look.seed + 53).to_middle;
-    finish.colour = pip < 0.2 ? Colour(90, 62, 34) : Colour(flesh * (0.93 + 0.1 * noise(6 * look.grain * point.at, 5)));
+    finish.color = pip < 0.2 ? Color(90, 62, 34) : Color(flesh * (0.93 + 0.1 * noise(6 * look.grain * point.at, 5)));
     finish.gloss = 0.4;
   }
 }
@@ -111,34 +111,34 @@ void cut(const Look& look, const SurfacePoint& point, Finish& finish) {
 /// Cracks with light edges; pieces are tilted, so each takes another light.
 void broken(const Look& look, const SurfacePoint& point, Finish& finish) {
   const CellAt piece = cell_at(1.1 * look.grain * point.at, look.seed + 59);
-  finish.colour *= 0.62 + 0.6 * piece.number;
-  const Colour gap = brightness(look.base) < kDarkest ? Colour(226, 226, 222) : Colour(20, 18, 18);
-  if (piece.to_border < 0.1) finish.colour = gap;
+  finish.color *= 0.62 + 0.6 * piece.number;
+  const Color gap = brightness(look.base) < kDarkest ? Color(226, 226, 222) : Color(20, 18, 18);
+  if (piece.to_border < 0.1) finish.color = gap;
   if (piece.to_border < 0.16) finish.clear = 0;
 }
 
 /// Layers on the sides and two creases above when folded; else wrinkles.
 void folds(const Look& look, const SurfacePoint& point, Finish& finish) {
   if (look.folded) {
-    const Colour crease =
-        brightness(look.base) < kDarkest ? mixed(look.base, {236, 236, 236}, 0.5) : Colour(look.base * 0.4);
+    const Color crease =
+        brightness(look.base) < kDarkest ? mixed(look.base, {236, 236, 236}, 0.5) : Color(look.base * 0.4);
     const double layers = wave(2 * (point.inner.z() + 1) + 0.25);
-    if (std::abs(point.normal.z()) < 0.5) finish.colour = mixed(finish.colour, crease, ramp(0.55, 0.85, layers));
+    if (std::abs(point.normal.z()) < 0.5) finish.color = mixed(finish.color, crease, ramp(0.55, 0.85, layers));
     const bool right = point.inner.x() > 0, back = point.inner.y() > 0;
-    if (right != back) finish.colour = mixed(finish.colour, crease, 0.35);
-    if (std::min(std::abs(point.inner.x()), std::abs(point.inner.y())) < 0.05) finish.colour = crease;
+    if (right != back) finish.color = mixed(finish.color, crease, 0.35);
+    if (std::min(std::abs(point.inner.x()), std::abs(point.inner.y())) < 0.05) finish.color = crease;
     return;
   }
   const double wrinkle = noise(Vec3(2.2, 0.9, 1.4).cwiseProduct(look.grain * point.at), look.seed + 61);
-  finish.colour *= 0.66 + 0.4 * wave(2.5 * wrinkle);
+  finish.color *= 0.66 + 0.4 * wave(2.5 * wrinkle);
 }
 
 /// Faded and crumpled, with a dark hollow where the contents were.
 void used_up(const Look& look, const SurfacePoint& point, Finish& finish) {
   const CellAt fold = cell_at(1.3 * look.grain * point.at, look.seed + 67);
-  const Colour faded = brightness(look.base) > 200 ? Colour(150, 146, 138) : Colour(206, 202, 194);
-  finish.colour = mixed(finish.colour, faded, 0.75) * (0.72 + 0.36 * fold.number);
-  if (point.normal.z() > 0.7 && point.inner.head<2>().squaredNorm() < 0.45) finish.colour *= 0.22;
+  const Color faded = brightness(look.base) > 200 ? Color(150, 146, 138) : Color(206, 202, 194);
+  finish.color = mixed(finish.color, faded, 0.75) * (0.72 + 0.36 * fold.number);
+  if (point.normal.z() > 0.7 && point.inner.head<2>().squaredNorm() < 0.45) finish.color *= 0.22;
   finish.gloss = 0;
 }
 
@@ -146,23 +146,23 @@ void used_up(const Look& look, const SurfacePoint& point, Finish& finish) {
 /// the outside.
 void filled(const Look& look, const SurfacePoint& point, Finish& finish) {
   const double line = 2 * look.level - 1;
-  const Colour filling = shown_filling(look);
+  const Color filling = shown_filling(look);
   if (finish.clear == 0) {
     constexpr double kOpening = 0.62, kRim = 0.74;
     const double away = point.inner.head<2>().norm();
     if (point.normal.z() < 0.25 || away > kRim) return;
-    finish.colour = away < kOpening ? filling : Colour(finish.colour * 0.6);
+    finish.color = away < kOpening ? filling : Color(finish.color * 0.6);
     if (away < kOpening) finish.gloss = 0.8;
     return;
   }
   if (point.inner.z() >= line) return;
-  finish.colour = mixed(finish.colour, filling, 0.8);
-  if (line - point.inner.z() < 0.07) finish.colour = mixed(finish.colour, {255, 255, 255}, 0.4);
+  finish.color = mixed(finish.color, filling, 0.8);
+  if (line - point.inner.z() < 0.07) finish.color = mixed(finish.color, {255, 255, 255}, 0.4);
   finish.clear *= 0.25;
 }
 
 /// Hills under a sun, as a picture on a screen; x and y in [-1, 1], y up.
-Colour shown_picture(double x, double y) {
+Color shown_picture(double x, double y) {
   if ((Vec2(x, y) - Vec2(0.5, 0.5)).squaredNorm() < 0.05) return {255, 240, 140};
   if (y < -0.35 + 0.25 * wave(0.5 * x + 0.3)) return {86, 176, 84};
   if (y < 0.05 + 0.3 * wave(0.9 * x)) return {92, 118, 190};
@@ -181,7 +181,7 @@ void keyboard(const SurfacePoint& point, Finish& finish) {
   const double y = point.inner.y();
   if (y > -0.1 && y < 0.85 && std::min(wave(6 * point.inner.x()), wave(2.6 * (y + 0.1))) > 0.25)
     finish = {{36, 38, 42}, 0.3};
-  if (y < -0.25 && y > -0.8 && std::abs(point.inner.x()) < 0.25) finish.colour *= 0.72;
+  if (y < -0.25 && y > -0.8 && std::abs(point.inner.x()) < 0.25) finish.color *= 0.72;
 }
 
 void screen(const Look& look, const SurfacePoint& point, Finish& finish) {
@@ -209,7 +209,7 @@ void burner(const Look& look, const SurfacePoint& point, Finish& finish) {
     if (away < 0.8 && wave(3 * away) > 0.45) {
       finish = look.on ? Finish{{255, 96, 30}, 0, 0, true} : Finish{{44, 42, 42}, 0.2};
     } else if (look.on && away < 1) {
-      finish.colour = mixed(finish.colour, {150, 30, 14}, 0.6);
+      finish.color = mixed(finish.color, {150, 30, 14}, 0.6);
     }
     return;
   }
@@ -226,7 +226,7 @@ void appliance(const Look& look, const SurfacePoint& point, Finish& finish) {
     finish = look.on ? Finish{{70, 255, 90}, 0, 0, true} : Finish{{70, 30, 30}, 0.2};
   } else if (std::abs(x) < 0.6 && std::abs(y) < 0.55) {
     finish = look.on ? Finish{mixed({255, 214, 130}, {255, 246, 214}, ramp(-0.6, 0.6, y)), 0, 0, true}
-                     : Finish{mixed(finish.colour, {34, 36, 42}, 0.7), 0.6};
+                     : Finish{mixed(finish.color, {34, 36, 42}, 0.7), 0.6};
   }
 }
 
@@ -247,7 +247,7 @@ void power(const Look& look, const SurfacePoint& point, Finish& finish) {
       appliance(look, point, finish);
       break;
     case Device::Flame:
-      if (look.on) finish.colour = mixed(finish.colour, {255, 186, 90}, 0.2 + 0.5 * ramp(-0.6, 1, point.inner.z()));
+      if (look.on) finish.color = mixed(finish.color, {255, 186, 90}, 0.2 + 0.5 * ramp(-0.6, 1, point.inner.z()));
       break;
     case Device::Tap:
     case Device::None:

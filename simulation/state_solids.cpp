@@ -15,10 +15,10 @@ class Extras {
   Extras(const Node& node, std::int32_t owner, std::vector<Solid>& solids)
       : half(node.size / 2), node_(node), owner_(owner), solids_(solids) {}
 
-  void add(SolidKind kind, const Vec3& centre, const Vec3& size, Skin skin) {
-    solids_.push_back({kind, node_.pose * Pose{centre, Quat::Identity()}, size, owner_, false, skin});
+  void add(SolidKind kind, const Vec3& center, const Vec3& size, Skin skin) {
+    solids_.push_back({kind, node_.pose * Pose{center, Quat::Identity()}, size, owner_, false, skin});
   }
-  void box(const Vec3& centre, const Vec3& size, Skin skin) { add(SolidKind::Box, centre, size, skin); }
+  void box(const Vec3& center, const Vec3& size, Skin skin) { add(SolidKind::Box, center, size, skin); }
   void pillar(const Vec3& top, double length, double wide, Skin skin) {
     add(SolidKind::Cylinder, top - Vec3(0, 0, length / 2), {wide, wide, length}, skin);
   }
@@ -49,7 +49,7 @@ Solid filling_of(const Solid& vessel, double full) {
   filling.high = kInside * (low + level * (high - low));
   filling.axes.col(2) *= (top - bottom) / 2;
   filling.pose.position += (top + bottom) / 2 * vessel.axes.col(2);
-  filling.colour.reset();
+  filling.color.reset();
   filling.matter.reset();
   return filling;
 }
@@ -66,7 +66,7 @@ void add_liquid(const Shape& shape, double level, double opening, std::size_t fi
     if (!cavity.open_above || cavity.joint >= 0 || (cavity.closable && opening == 0)) continue;
     const double full = level_in(level, cavity.half.head<2>().minCoeff(), cavity.half.z());
     const Vec3 size(2 * cavity.half.x(), 2 * cavity.half.y(), 2 * full * cavity.half.z());
-    extras.box(cavity.centre - Vec3(0, 0, cavity.half.z() * (1 - full)), size, Skin::Liquid);
+    extras.box(cavity.center - Vec3(0, 0, cavity.half.z() * (1 - full)), size, Skin::Liquid);
     solids.back().clear = true;
   }
 }
@@ -77,7 +77,7 @@ void add_water(const Node& node, const Shape& shape, Extras& extras) {
   if (!shape.cavities.empty()) {
     const Cavity& bowl = shape.cavities.front();
     constexpr double kSpout_m = 0.22, kPipe_m = 0.03;
-    const Vec3 foot(0, bowl.centre.y() + 0.8 * bowl.half.y(), h.z());
+    const Vec3 foot(0, bowl.center.y() + 0.8 * bowl.half.y(), h.z());
     const double reach = 0.8 * bowl.half.y();
     extras.pillar(foot + Vec3(0, 0, kSpout_m), kSpout_m, kPipe_m, Skin::Socket);
     extras.box(foot + Vec3(0, -reach / 2, kSpout_m), {kPipe_m, reach + kPipe_m, kPipe_m}, Skin::Socket);

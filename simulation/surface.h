@@ -6,7 +6,7 @@ namespace unietp {
 
 /// A level rectangle on which things can rest, object frame.
 struct Surface {
-  Vec3 centre = Vec3::Zero();  // of the rectangle, on the solid's upper face
+  Vec3 center = Vec3::Zero();  // of the rectangle, on the solid's upper face
   Vec2 half = Vec2::Zero();    // half extents along x and y
   double clearance = 0;        // free height above it, meters
   int joint = -1;

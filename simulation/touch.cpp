@@ -22,7 +22,7 @@ bool stands_upright(const Convex& solid) { return std::abs(solid.axes(2, 2)) > k
 /// Separating axes; edges against edges win only when they are clearly shallower, as in the box test of ODE.
 std::optional<Touch> boxes(const Convex& a, const Convex& b) {
   constexpr double kEdgeBias = 1.05, kParallel = 1e-5;
-  const Vec3 apart = b.centre - a.centre;
+  const Vec3 apart = b.center - a.center;
   const Vec3 in_a = a.axes.transpose() * apart, in_b = b.axes.transpose() * apart;
   const Mat3 r = a.axes.transpose() * b.axes;
   const Mat3 q = r.cwiseAbs();
@@ -65,7 +65,7 @@ std::optional<Touch> boxes(const Convex& a, const Convex& b) {
 
 /// The shallower of the vertical and the horizontal separation for two vertical prisms.
 std::optional<Touch> standing(const Convex& a, const Convex& b, double sideways_depth, const Vec2& sideways_normal) {
-  const double rise = a.centre.z() - b.centre.z();
+  const double rise = a.center.z() - b.center.z();
   const double depth = a.half.z() + b.half.z() - std::abs(rise);
   if (depth < 0 || sideways_depth < 0) return std::nullopt;
   if (depth <= sideways_depth) return Touch{Vec3(0, 0, rise < 0 ? -1 : 1), depth};
@@ -74,7 +74,7 @@ std::optional<Touch> standing(const Convex& a, const Convex& b, double sideways_
 
 std::optional<Touch> cylinder_on_box(const Convex& cylinder, const Convex& box) {
   const Vec2 x = box.axes.col(0).head<2>(), y = box.axes.col(1).head<2>();
-  const Vec2 from = (cylinder.centre - box.centre).head<2>();
+  const Vec2 from = (cylinder.center - box.center).head<2>();
   const Vec2 local(from.dot(x), from.dot(y)), half = box.half.head<2>();
   const Vec2 out = local.cwiseAbs() - half;
   const Vec2 sign(local.x() < 0 ? -1 : 1, local.y() < 0 ? -1 : 1);
@@ -92,7 +92,7 @@ std::optional<Touch> cylinder_on_box(const Convex& cylinder, const Convex& box) 
 }
 
 std::optional<Touch> cylinders(const Convex& a, const Convex& b) {
-  const Vec2 from = (a.centre - b.centre).head<2>();
+  const Vec2 from = (a.center - b.center).head<2>();
   const double distance = from.norm();
   const Vec2 away = distance > 1e-12 ? Vec2(from / distance) : Vec2(1, 0);
   return standing(a, b, a.half.x() + b.half.x() - distance, away);
@@ -101,7 +101,7 @@ std::optional<Touch> cylinders(const Convex& a, const Convex& b) {
 /// A sphere against a box, sphere or cylinder, by the nearest point in the other's frame.
 std::optional<Touch> ball_on(const Convex& ball, const Convex& other) {
   const double radius = ball.half.x();
-  const Vec3 middle = other.axes.transpose() * (ball.centre - other.centre);
+  const Vec3 middle = other.axes.transpose() * (ball.center - other.center);
   Vec3 away;
   double distance = 0;
   if (other.kind == Kind::Sphere) {
@@ -136,7 +136,7 @@ btVector3 vector_of(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 btTransform transform_of(const Convex& solid) {
   const Mat3& m = solid.axes;
   return btTransform(btMatrix3x3(m(0, 0), m(0, 1), m(0, 2), m(1, 0), m(1, 1), m(1, 2), m(2, 0), m(2, 1), m(2, 2)),
-                     vector_of(solid.centre));
+                     vector_of(solid.center));
 }
 
 struct Nearest : btDiscreteCollisionDetectorInterface::Result {
@@ -220,7 +220,7 @@ std::optional<Touch> touch(const Convex& a, const Convex& b) {
 
 std::optional<double> entry(const Convex& solid, const Vec3& from, const Vec3& way) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
-  const Vec3 start = solid.axes.transpose() * (from - solid.centre), along = solid.axes.transpose() * way;
+  const Vec3 start = solid.axes.transpose() * (from - solid.center), along = solid.axes.transpose() * way;
   double in = -kFar, out = kFar;
   bool hit = false;
   switch (solid.kind) {

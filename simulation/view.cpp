@@ -66,8 +66,8 @@ namespace {
 struct Ball {
   double nearest = 0;
   PixelBox cover{};
-  Ball(const Vec3& centre, double radius, const Camera& camera) {
-    const Vec3 way = centre - camera.at;
+  Ball(const Vec3& center, double radius, const Camera& camera) {
+    const Vec3 way = center - camera.at;
     const double deep = way.dot(camera.ahead);
     nearest = deep - radius;
     cover = {0, 0, camera.width, camera.height};
@@ -137,10 +137,10 @@ struct Viewer::Walls {
     });
   }
   /// The walls that may hide some of a sphere from a point, in order.
-  std::vector<std::uint32_t> between(const Vec3& eye, const Vec3& centre, double radius) const {
+  std::vector<std::uint32_t> between(const Vec3& eye, const Vec3& center, double radius) const {
     constexpr double kAside_m = 0.001;
     const Vec3 reach = Vec3::Constant(radius);
-    const Bounds way{eye.cwiseMin(centre - reach), eye.cwiseMax(centre + reach)};
+    const Bounds way{eye.cwiseMin(center - reach), eye.cwiseMax(center + reach)};
     std::vector<std::uint32_t> found;
     places.visit(way, [&](std::uint32_t i) {
       if (overlap(bounds[i], way, kAside_m)) found.push_back(i);

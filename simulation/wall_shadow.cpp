@@ -28,10 +28,10 @@ std::optional<WallShadow> WallShadow::of(const WallPiece& wall, const Vec3& eye)
   return shadow;
 }
 
-bool WallShadow::hides(const Vec3& centre, double radius) const {
+bool WallShadow::hides(const Vec3& center, double radius) const {
   constexpr double kMargin_m = 0.001;
   return std::all_of(planes_.begin(), planes_.end(),
-                     [&](const Plane& plane) { return plane.normal.dot(centre) - plane.offset >= radius + kMargin_m; });
+                     [&](const Plane& plane) { return plane.normal.dot(center) - plane.offset >= radius + kMargin_m; });
 }
 
 }  // namespace unietp

@@ -14,7 +14,7 @@ class WallShadow {
   static std::optional<WallShadow> of(const WallPiece& wall, const Vec3& eye);
 
   /// Whether a sphere lies wholly in it. Conservative by a millimeter.
-  bool hides(const Vec3& centre, double radius) const;
+  bool hides(const Vec3& center, double radius) const;
   /// About how much of the view the wall takes up, steradians.
   double angle() const { return angle_; }
 

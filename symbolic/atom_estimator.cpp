@@ -40,7 +40,7 @@ Estimate AtomEstimator::to(const Atom& atom, bool wanted, int depth) const {
       return wanted ? to_bring(atom.first, atom.second, depth) : to_hold(atom.first, depth);
     case Predicate::NextTo:
     case Predicate::Under:
-      return wanted ? to_neighbour(atom, depth) : to_part(atom, depth);
+      return wanted ? to_neighbor(atom, depth) : to_part(atom, depth);
     case Predicate::Covered:
       return wanted ? to_cover(atom, depth) : to_clean(atom.first, depth);
     case Predicate::SliceOf:
@@ -189,7 +189,7 @@ Estimate AtomEstimator::to_bring(Id id, Id room, int depth) const {
   return ways.estimate();
 }
 
-Estimate AtomEstimator::to_neighbour(const Atom& atom, int depth) const {
+Estimate AtomEstimator::to_neighbor(const Atom& atom, int depth) const {
   Choice ways;
   ways.add(to_bring_beside(atom.first, atom.second, atom.predicate == Predicate::Under, depth));
   if (atom.predicate == Predicate::NextTo) {
@@ -232,7 +232,7 @@ Estimate AtomEstimator::to_part(const Atom& atom, int depth) const {
   return ways.estimate();
 }
 
-Estimate towards(const Setting& setting, const World& world, const Atom& atom, bool wanted) {
+Estimate toward(const Setting& setting, const World& world, const Atom& atom, bool wanted) {
   return AtomEstimator(setting, world).to(atom, wanted, 0);
 }
 

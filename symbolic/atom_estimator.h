@@ -38,7 +38,7 @@ class AtomEstimator {
   Estimate to_room(Id room, bool wanted) const;
   Estimate to_drop(Id id, Id room, int depth) const;
   Estimate to_bring(Id id, Id room, int depth) const;
-  Estimate to_neighbour(const Atom& atom, int depth) const;
+  Estimate to_neighbor(const Atom& atom, int depth) const;
   Estimate to_bring_beside(Id id, Id other, bool under, int depth) const;
   /// Brings both to a third place, where neither can go to the place of the other.
   Estimate to_bring_both(Id first, Id second, int depth) const;

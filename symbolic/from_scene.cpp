@@ -57,7 +57,7 @@ SceneSymbols::SceneSymbols(const Scene& scene, const Knowledge& knowledge, Actio
     ObjectEntry role;
     role.id = node->id;
     role.kind = rules.kind_named(node->category).value();
-    role.colour = node->colour;
+    role.color = node->color;
     role.material = node->material;
     setting.objects.things.push_back(std::move(role));
     Thing thing;

@@ -99,12 +99,12 @@ class GoalWriter {
   }
 
   static bool is_attribute(Predicate predicate) {
-    return predicate == Predicate::Colour || predicate == Predicate::Material || predicate == Predicate::Size;
+    return predicate == Predicate::Color || predicate == Predicate::Material || predicate == Predicate::Size;
   }
   bool has_attribute(Predicate predicate, Id id, const std::string& word) const {
     if (!id.is_thing()) return false;
     const ObjectEntry& role = setting_.objects.object(id);
-    const auto& own = predicate == Predicate::Colour     ? role.colour
+    const auto& own = predicate == Predicate::Color      ? role.color
                       : predicate == Predicate::Material ? role.material
                                                          : role.size;
     return !own.empty() && (own == word || word == "any");

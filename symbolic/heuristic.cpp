@@ -49,55 +49,55 @@ Estimate Choice::estimate() const {
 }
 
 Estimate Heuristic::estimate(const World& world, const Progress& progress) const {
-  return towards(goal_.root(), true, world, progress);
+  return toward(goal_.root(), true, world, progress);
 }
 
-Estimate Heuristic::towards(std::size_t index, bool wanted, const World& world, const Progress& progress) const {
+Estimate Heuristic::toward(std::size_t index, bool wanted, const World& world, const Progress& progress) const {
   const auto& node = goal_.node(index);
   switch (node.op) {
     case Goal::Op::Atom:
-      return symbolic::towards(setting_, world, node.atom, wanted);
+      return symbolic::toward(setting_, world, node.atom, wanted);
     case Goal::Op::Not:
-      return towards(node.children[0], !wanted, world, progress);
+      return toward(node.children[0], !wanted, world, progress);
     case Goal::Op::AtEnd:
-      return towards(node.children[0], wanted, world, progress);
+      return toward(node.children[0], wanted, world, progress);
     case Goal::Op::And:
     case Goal::Op::Or: {
       if ((node.op == Goal::Op::And) == wanted) {
         Estimate all;
-        for (const auto child : node.children) all = together(std::move(all), towards(child, wanted, world, progress));
+        for (const auto child : node.children) all = together(std::move(all), toward(child, wanted, world, progress));
         return all;
       }
       Choice ways;
-      for (const auto child : node.children) ways.add(towards(child, wanted, world, progress));
+      for (const auto child : node.children) ways.add(toward(child, wanted, world, progress));
       return ways.estimate();
     }
     case Goal::Op::Count: {
-      if (wanted) return towards_number(node.children, node.least, node.most, world, progress);
+      if (wanted) return toward_number(node.children, node.least, node.most, world, progress);
       Choice ways;
-      if (node.least > 0) ways.add(towards_number(node.children, 0, node.least - 1, world, progress));
-      if (node.most < INT_MAX) ways.add(towards_number(node.children, node.most + 1, INT_MAX, world, progress));
+      if (node.least > 0) ways.add(toward_number(node.children, 0, node.least - 1, world, progress));
+      if (node.most < INT_MAX) ways.add(toward_number(node.children, node.most + 1, INT_MAX, world, progress));
       return ways.estimate();
     }
     case Goal::Op::Compare:
-      return towards_comparison(node, wanted, world, progress);
+      return toward_comparison(node, wanted, world, progress);
     default:
       if (holds(goal_, index, setting_, world, progress) == wanted) return kNothing;
-      return wanted ? towards_moment(node, world, progress) : kUnreachable;
+      return wanted ? toward_moment(node, world, progress) : kUnreachable;
   }
 }
 
-Estimate Heuristic::towards_number(const std::vector<std::size_t>& children, int least, int most, const World& world,
-                                   const Progress& progress) const {
+Estimate Heuristic::toward_number(const std::vector<std::size_t>& children, int least, int most, const World& world,
+                                  const Progress& progress) const {
   std::vector<Estimate> yes, no;
   int number = 0;
   for (const auto child : children) {
     const bool now = holds(goal_, child, setting_, world, progress);
     number += now ? 1 : 0;
     if (now) {
-      no.push_back(towards(child, false, world, progress));
+      no.push_back(toward(child, false, world, progress));
     } else {
-      yes.push_back(towards(child, true, world, progress));
+      yes.push_back(toward(child, true, world, progress));
     }
   }
   const int missing = number < least ? least - number : 0;
@@ -113,8 +113,8 @@ Estimate Heuristic::towards_number(const std::vector<std::size_t>& children, int
   return all;
 }
 
-Estimate Heuristic::towards_comparison(const Goal::Node& node, bool wanted, const World& world,
-                                       const Progress& progress) const {
+Estimate Heuristic::toward_comparison(const Goal::Node& node, bool wanted, const World& world,
+                                      const Progress& progress) const {
   if (!wanted) return kNothing;  // no goal of the library asks for it; the search itself finds out what happens
   const auto middle = node.children.begin() + static_cast<std::ptrdiff_t>(node.split);
   const std::vector<std::size_t> firsts(node.children.begin(), middle), seconds(middle, node.children.end());
@@ -131,27 +131,27 @@ Estimate Heuristic::towards_comparison(const Goal::Node& node, bool wanted, cons
   const bool less = node.comparison == Comparison::AtMost || node.comparison == Comparison::Less;
   if (more ? a >= b + margin : less ? b >= a + margin : a == b) return kNothing;
   if (more || (!less && a < b)) {
-    ways.add(towards_number(firsts, b + margin, INT_MAX, world, progress));
-    ways.add(towards_number(seconds, 0, a - margin, world, progress));
+    ways.add(toward_number(firsts, b + margin, INT_MAX, world, progress));
+    ways.add(toward_number(seconds, 0, a - margin, world, progress));
   } else {
-    ways.add(towards_number(seconds, a + margin, INT_MAX, world, progress));
-    ways.add(towards_number(firsts, 0, b - margin, world, progress));
+    ways.add(toward_number(seconds, a + margin, INT_MAX, world, progress));
+    ways.add(toward_number(firsts, 0, b - margin, world, progress));
   }
   return ways.estimate();
 }
 
-Estimate Heuristic::towards_moment(const Goal::Node& node, const World& world, const Progress& progress) const {
+Estimate Heuristic::toward_moment(const Goal::Node& node, const World& world, const Progress& progress) const {
   const auto part = progress.part(node.memory);
   if (part == Progress::Part::Broken) return kUnreachable;
   switch (node.op) {
     case Goal::Op::Sometime:
-      return towards(node.children[0], true, world, progress);
+      return toward(node.children[0], true, world, progress);
     case Goal::Op::Until:
-      return towards(node.children[1], true, world, progress);
+      return toward(node.children[1], true, world, progress);
     case Goal::Op::Before: {
-      auto second = towards(node.children[1], true, world, progress);
+      auto second = toward(node.children[1], true, world, progress);
       if (part == Progress::Part::FirstDone) return second;
-      auto first = towards(node.children[0], true, world, progress);
+      auto first = toward(node.children[0], true, world, progress);
       if (!first.possible() || !second.possible()) return kUnreachable;
       first.cost += second.cost;  // add up the costs, but work only on the first now
       return first;

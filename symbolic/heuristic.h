@@ -43,18 +43,18 @@ class Heuristic {
   Estimate estimate(const World& world, const Progress& progress) const;
 
  private:
-  Estimate towards(std::size_t node, bool wanted, const World& world, const Progress& progress) const;
-  Estimate towards_number(const std::vector<std::size_t>& children, int least, int most, const World& world,
-                          const Progress& progress) const;
-  Estimate towards_comparison(const Goal::Node& node, bool wanted, const World& world, const Progress& progress) const;
-  Estimate towards_moment(const Goal::Node& node, const World& world, const Progress& progress) const;
+  Estimate toward(std::size_t node, bool wanted, const World& world, const Progress& progress) const;
+  Estimate toward_number(const std::vector<std::size_t>& children, int least, int most, const World& world,
+                         const Progress& progress) const;
+  Estimate toward_comparison(const Goal::Node& node, bool wanted, const World& world, const Progress& progress) const;
+  Estimate toward_moment(const Goal::Node& node, const World& world, const Progress& progress) const;
 
   const Setting& setting_;
   const Goal& goal_;
 };
 
 /// Of making one atom true or, with `wanted` false, false.
-Estimate towards(const Setting& setting, const World& world, const Atom& atom, bool wanted);
+Estimate toward(const Setting& setting, const World& world, const Atom& atom, bool wanted);
 
 /// Of both, where both are needed: costs add up, and the next steps of either may come first.
 Estimate together(Estimate first, const Estimate& second);

@@ -18,7 +18,7 @@ Failure go_to(World& world, Id target) {
 }
 
 /// A thing that is lifted no longer has neighbors.
-void leave_neighbours(World& world, Id thing) {
+void leave_neighbors(World& world, Id thing) {
   world[thing].beside = kNobody;
   for (Thing& other : world.things) {
     if (other.beside == thing) other.beside = kNobody;
@@ -41,7 +41,7 @@ Failure drop(const Setting& setting, World& world, const Step& step) {
 }
 
 void lift(World& world, Id thing) {
-  leave_neighbours(world, thing);
+  leave_neighbors(world, thing);
   world[thing].attached = false;
   world[thing].where = PlaceKind::Hand;
   world[thing].at = kNobody;

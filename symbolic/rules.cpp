@@ -55,7 +55,7 @@ void Rules::add_kind(const Knowledge& knowledge, const std::string& category) {
   Kind kind;
   kind.category = category;
   kind.movable = known->movable;
-  kind.colours = known->colours;
+  kind.colors = known->colors;
   kind.materials = known->materials;
   const auto has = [&](std::string_view affordance) { return knowledge.has(category, affordance); };
   kind.pickupable = known->movable && has("pickupable");

@@ -57,7 +57,7 @@ struct Kind {
   ActionSet allowed;                      // actions whose needs of affordances its things meet
   bool shuts_to_run = false;              // runs only with its door shut, where the simulator has that rule
   std::vector<const StateGroup*> groups;  // the state groups that its things have
-  std::vector<std::string> colours, materials;
+  std::vector<std::string> colors, materials;
   bool allows(ActionType action) const { return allowed[static_cast<std::size_t>(action)]; }
   /// Whether its things have the states of this one's group.
   bool has_group_of(Predicate state) const;

@@ -82,7 +82,7 @@ class FactWriter {
     for (std::size_t s = 0; s < setting_.rules->symbols().size(); ++s) {
       if (thing.coats.contains(SubstanceId(s))) facts.set(Predicate::Covered, me, setting_.rules->symbols()[s]);
     }
-    if (!role.colour.empty()) facts.set(Predicate::Colour, me, role.colour);
+    if (!role.color.empty()) facts.set(Predicate::Color, me, role.color);
     if (!role.material.empty()) facts.set(Predicate::Material, me, role.material);
     if (!role.size.empty()) facts.set(Predicate::Size, me, role.size);
     if (world.held == id) facts.set(Predicate::Held, me);

@@ -18,9 +18,9 @@ namespace unietp::symbolic {
 struct ObjectEntry {
   std::string id;
   KindId kind;
-  Id whole = kNobody;                  // of a piece: what it is cut from
-  std::string colour, material, size;  // "" when not known
-  double spot_m = 0;                   // of furniture: where it stands along its home, for `nearest`
+  Id whole = kNobody;                 // of a piece: what it is cut from
+  std::string color, material, size;  // "" when not known
+  double spot_m = 0;                  // of furniture: where it stands along its home, for `nearest`
 };
 
 /// Everything that takes part in a symbolic scene: things, among them the pieces that slicing could make, and rooms.

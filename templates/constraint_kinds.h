@@ -59,7 +59,7 @@ std::string substance_of(const DomainConstraint& constraint);
 
 /// What a parameter may be asked to be besides an affordance of the AKB.
 /// `furniture`: stays where it is; `movable`: not furniture; `countable`: "two mugs", not "some bread"; `room`: a type
-/// of room; `colour`, `material`, `substance`: a word for one; `any`: the constraints decide.
+/// of room; `color`, `material`, `substance`: a word for one; `any`: the constraints decide.
 const std::vector<std::string>& pseudo_affordances();
 
 }  // namespace unietp

@@ -37,7 +37,7 @@ class IdleParts {
     for (const auto& start : source_.init) check_parts(start);
     for (const auto& goal : source_.goal) {
       check_parts(goal);
-      if (source_.goal_read) check_variables(goal);  // else a misspelt variable would be told twice
+      if (source_.goal_read) check_variables(goal);  // else a misspelled variable would be told twice
     }
     check_repeated(source_.phrasings, "phrasing");
     for (const auto& phrasing : source_.phrasings) check_text(phrasing, "phrasing");

@@ -20,11 +20,11 @@ std::string_view name_of(Split split);  // "instance_grounding"
 std::optional<Split> split_named(std::string_view name);
 
 /// A placeholder and what a category must afford to fill it. With `room` as the only affordance a room type fills it,
-/// with `colour` or `material` a word for one.
+/// with `color` or `material` a word for one.
 struct Parameter {
   std::string name;  // "A"
   std::vector<std::string>
-      affordances;  // of the AKB, or one of pseudo_affordances(); `room`, `colour`, `material` alone
+      affordances;  // of the AKB, or one of pseudo_affordances(); `room`, `color`, `material` alone
   SourcePos pos;
 };
 

@@ -53,7 +53,7 @@ std::vector<Problem> compare_cards(const std::string& there, const std::string& 
 }
 
 std::string source_text(const RecordedSource& source) {
-  return source.source + " from " + source.origin + ", " + source.licence;
+  return source.source + " from " + source.origin + ", " + source.license;
 }
 
 std::vector<Problem> compare_sources(const std::vector<RecordedSource>& there,

@@ -24,11 +24,11 @@ struct Thing {
 };
 
 std::uint64_t hash_of_size(const Vec3& size) {
-  const auto centimetres = [](double metres) { return static_cast<std::uint64_t>(std::llround(metres * 100)); };
+  const auto centimeters = [](double meters) { return static_cast<std::uint64_t>(std::llround(meters * 100)); };
   return Digester()
-      .add(centimetres(std::min(size.x(), size.y())))
-      .add(centimetres(std::max(size.x(), size.y())))
-      .add(centimetres(size.z()))
+      .add(centimeters(std::min(size.x(), size.y())))
+      .add(centimeters(std::max(size.x(), size.y())))
+      .add(centimeters(size.z()))
       .digest()
       .a;
 }
@@ -76,8 +76,8 @@ void add_pairs(const std::vector<Thing>& things, HomeFingerprint& print) {
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   std::vector<Neighbor> others;
   const auto distance = [&things](std::size_t i, std::size_t j) {
-    const double metres = (things[i].position - things[j].position).norm();
-    return static_cast<std::uint64_t>(std::min(metres * 1000, static_cast<double>(kMostDistance_mm)));
+    const double meters = (things[i].position - things[j].position).norm();
+    return static_cast<std::uint64_t>(std::min(meters * 1000, static_cast<double>(kMostDistance_mm)));
   };
   for (std::size_t i = 0; i < things.size(); ++i) {
     others.clear();

@@ -175,12 +175,12 @@ class PlanChanger {
   /// Of the ids the eight whose things lie nearest to a thing, equally near ones in their order.
   std::vector<std::string> those_around(const std::string& id, const std::vector<std::string>& ids) const {
     const World& world = start_.episode.world();
-    const Node* centre = world.find(id);
+    const Node* center = world.find(id);
     std::vector<std::pair<double, std::size_t>> order;
     for (std::size_t i = 0; i < ids.size(); ++i) {
       const Node* node = world.find(ids[i]);
-      const bool stand = centre != nullptr && node != nullptr;
-      order.emplace_back(stand ? (centre->pose.position - node->pose.position).norm() : 0, i);
+      const bool stand = center != nullptr && node != nullptr;
+      order.emplace_back(stand ? (center->pose.position - node->pose.position).norm() : 0, i);
     }
     std::sort(order.begin(), order.end());
     std::vector<std::string> around;

@@ -23,7 +23,7 @@ std::string kind_of(Predicate predicate) {
       return "nearness";
     case Predicate::Size:
       return "size";
-    case Predicate::Colour:
+    case Predicate::Color:
     case Predicate::Material:
       return "attribute";
     case Predicate::InRoom:

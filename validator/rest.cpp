@@ -65,7 +65,7 @@ void add_body(Digester& digest, const Scene& scene, const PhysicsWorld& physics,
   const Quat& turn = node.pose.rotation;
   digest.add(turn.w()).add(turn.x()).add(turn.y()).add(turn.z()).add(std::uint64_t{node.boards.size()});
   for (const Board& board : node.boards) {
-    add(digest, board.centre);
+    add(digest, board.center);
     add(digest, board.size);
     digest.add(static_cast<std::uint64_t>(board.joint + 1));
   }

@@ -20,8 +20,8 @@ RoomWays::RoomWays(const NavigationGrid& grid, const CellSet& reached, const Roo
   height_ = std::max(0, back - front + 1);
   for (int y = front; y <= back; ++y) {
     for (int x = left; x <= right; ++x) {
-      centres_.push_back(grid.centre({x, y}));
-      floor_.push_back(reached.has(x, y) && contains(room.polygon, centres_.back()));
+      centers_.push_back(grid.center({x, y}));
+      floor_.push_back(reached.has(x, y) && contains(room.polygon, centers_.back()));
     }
   }
   ways_.assign(floor_.size(), kNoWay);
@@ -32,7 +32,7 @@ RoomWays::RoomWays(const NavigationGrid& grid, const CellSet& reached, const Roo
 std::optional<std::size_t> RoomWays::nearest(const Vec2& point) const {
   std::optional<std::size_t> best;
   for (std::size_t i = 0; i < floor_.size(); ++i) {
-    if (floor_[i] && (!best || (centres_[i] - point).squaredNorm() < (centres_[*best] - point).squaredNorm())) best = i;
+    if (floor_[i] && (!best || (centers_[i] - point).squaredNorm() < (centers_[*best] - point).squaredNorm())) best = i;
   }
   return best;
 }
@@ -69,7 +69,7 @@ void RoomWays::walk(std::size_t first) {
 std::optional<double> RoomWays::meters(const Vec2& to) const {
   const auto last = nearest(to);
   if (!first_ || !last || ways_[*last] == kNoWay) return std::nullopt;
-  return (centres_[*first_] - from_).norm() + ways_[*last] + (centres_[*last] - to).norm();
+  return (centers_[*first_] - from_).norm() + ways_[*last] + (centers_[*last] - to).norm();
 }
 
 }  // namespace unietp

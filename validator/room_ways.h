@@ -29,7 +29,7 @@ class RoomWays {
   Vec2 from_;
   int width_ = 0, height_ = 0;  // of the part of the grid around the room
   std::vector<bool> floor_;     // by row and column
-  std::vector<Vec2> centres_;
+  std::vector<Vec2> centers_;
   std::vector<double> ways_;  // meters between the middles of cells
   std::optional<std::size_t> first_;
 };

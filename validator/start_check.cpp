@@ -49,8 +49,8 @@ bool same_groups(const StateSet& a, const StateSet& b) {
 /// What cannot be so of an object's color and material; "" when nothing is wrong.
 std::string look_fault(const Node& node, const Category* category) {
   if (category == nullptr) return "";
-  if (!node.colour.empty() && !is_among_names(category->colours, node.colour))
-    return "has the color " + node.colour + ", in which a " + node.category + " does not come";
+  if (!node.color.empty() && !is_among_names(category->colors, node.color))
+    return "has the color " + node.color + ", in which a " + node.category + " does not come";
   if (!node.material.empty() && !is_among_names(category->materials, node.material))
     return "has the material " + node.material + ", of which a " + node.category + " is not made";
   return "";
@@ -76,7 +76,7 @@ std::string new_object_fault(const Node& node, const Knowledge& knowledge) {
   const double density = category->mass / category->size.prod(), own = node.mass / node.size.prod();
   if (std::abs(own - density) > 1e-9 * density) return "does not have the mass of a " + node.category + " of its size";
   if (auto fault = look_fault(node, category); !fault.empty()) return fault;
-  if (node.colour.empty() != category->colours.empty() || node.material.empty() != category->materials.empty())
+  if (node.color.empty() != category->colors.empty() || node.material.empty() != category->materials.empty())
     return "lacks a color or material, or has one too many";
   Node plain = node;
   plain.states = {};
@@ -96,7 +96,7 @@ std::string changed_object_fault(const Node& before, const Node& now, bool resiz
   const double density = before.mass / before.size.prod(), own = now.mass / now.size.prod();
   if (std::abs(own - density) > 1e-9 * density) return "has a different density than in the home";
   if (!same_groups(before.states, now.states)) return "has other kinds of states than in the home";
-  if (now.colour != before.colour || now.material != before.material)
+  if (now.color != before.color || now.material != before.material)
     return look_fault(now, knowledge.find(now.category));
   return "";
 }

@@ -25,7 +25,7 @@ std::string content_of(const Scene& start) {
     digest.add(turn.w()).add(turn.x()).add(turn.y()).add(turn.z());
     for (const State& state : node.states.all())
       digest.add(static_cast<std::uint64_t>(state.predicate)).add(state.symbol);
-    digest.add(node.colour).add(node.material).add(node.slice_of);
+    digest.add(node.color).add(node.material).add(node.slice_of);
   }
   digest.add(start.agent.position.x()).add(start.agent.position.y()).add(start.agent.yaw).add(start.agent.pitch);
   for (const std::string& held : start.agent.held) digest.add(held);

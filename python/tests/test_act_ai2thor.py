@@ -173,7 +173,7 @@ def test_what_else_an_action_changes_is_changed_there_too(folder, dataset):
 def test_the_pose_is_unitys():
     pose = act_ai2thor.pose_of({"position": [1.0, 2.0], "yaw_rad": 0.0, "pitch_rad": 2.0, "held": []})
     assert pose["position"] == {"x": 1.0, "y": 0.95, "z": 2.0}
-    assert pose["rotation"]["y"] == 90.0, "towards +x"
+    assert pose["rotation"]["y"] == 90.0, "toward +x"
     assert pose["horizon"] == 60.0
 
 

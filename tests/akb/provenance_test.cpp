@@ -38,20 +38,20 @@ TEST(Provenance, EveryDerivedRuleInUseIsExplained) {
   for (const auto& rule : rules) EXPECT_TRUE(once.insert(rule.rule).second) << rule.rule;
 }
 
-TEST(Provenance, EverySourceInUseHasALicence) {
+TEST(Provenance, EverySourceInUseHasALicense) {
   std::vector<Error> errors;
-  const auto licences = read_licences(kData / "licences.csv", errors);
+  const auto licenses = read_licenses(kData / "licences.csv", errors);
   EXPECT_TRUE(errors.empty());
-  for (const auto& source : sources_in_use()) EXPECT_TRUE(licence_of(licences, source)) << source;
-  EXPECT_TRUE(licence_of(licences, "override:mine.csv"));
-  EXPECT_FALSE(licence_of(licences, "metadata:nobody_allows_this.json"));
+  for (const auto& source : sources_in_use()) EXPECT_TRUE(license_of(licenses, source)) << source;
+  EXPECT_TRUE(license_of(licenses, "override:mine.csv"));
+  EXPECT_FALSE(license_of(licenses, "metadata:nobody_allows_this.json"));
 }
 
-TEST(Provenance, TheLongestPrefixDecidesALicence) {
-  const std::vector<Licence> licences{{"metadata:a", "short", "X"}, {"metadata:a_b", "long", "Y"}};
-  EXPECT_EQ(licence_of(licences, "metadata:a_b.json")->origin, "long");
-  EXPECT_EQ(licence_of(licences, "metadata:a.json")->origin, "short");
-  EXPECT_FALSE(licence_of(licences, "curated"));
+TEST(Provenance, TheLongestPrefixDecidesALicense) {
+  const std::vector<License> licenses{{"metadata:a", "short", "X"}, {"metadata:a_b", "long", "Y"}};
+  EXPECT_EQ(license_of(licenses, "metadata:a_b.json")->origin, "long");
+  EXPECT_EQ(license_of(licenses, "metadata:a.json")->origin, "short");
+  EXPECT_FALSE(license_of(licenses, "curated"));
 }
 
 TEST(Provenance, RowsWrittenByHandAreFoundByWhatTheySay) {

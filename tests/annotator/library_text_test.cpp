@@ -40,7 +40,7 @@ std::vector<Formula> mutations(const Formula& goal) {
   return found;
 }
 
-TEST(WriteInstruction, EveryTemplateOfTheLibraryReadsBackAndItsNeighboursDoNot) {
+TEST(WriteInstruction, EveryTemplateOfTheLibraryReadsBackAndItsNeighborsDoNot) {
   const auto library = load_templates(std::filesystem::path(UNIETP_SOURCE_DIR) / "templates/library");
   ASSERT_TRUE(library.errors.empty());
   std::size_t goals = 0, written = 0, refused = 0, without_words = 0, spelled_out = 0;

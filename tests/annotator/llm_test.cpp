@@ -36,10 +36,10 @@ std::string judging(const std::string& formula) { return completion("{\"formula\
 bool is_judging(const Received& received) { return received.user.find("The instruction:\n") != std::string::npos; }
 
 /// A server that words with these answers, one after the other, the last one ever after, and judges with one.
-ChatServer::Handler answering(std::vector<std::string> wordings, std::string judgement) {
+ChatServer::Handler answering(std::vector<std::string> wordings, std::string judgment) {
   auto next = std::make_shared<std::atomic<std::size_t>>(0);
-  return [wordings = std::move(wordings), judgement = std::move(judgement), next](const Received& received) {
-    if (is_judging(received)) return judgement;
+  return [wordings = std::move(wordings), judgment = std::move(judgment), next](const Received& received) {
+    if (is_judging(received)) return judgment;
     return wordings[std::min(next->fetch_add(1), wordings.size() - 1)];
   };
 }

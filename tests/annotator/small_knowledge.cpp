@@ -11,7 +11,7 @@ Knowledge small_knowledge() {
     c.countable = countable;
     c.movable = c.name != "CoffeeTable" && c.name != "Fridge" && c.name != "Table";
     c.rooms = {"kitchen", "living_room"};
-    c.colours = {"red"};
+    c.colors = {"red"};
     c.materials = {"wood"};
     return c;
   };

@@ -23,7 +23,7 @@ Node node_in(const Scene& scene, const std::string& id, const std::string& categ
   const Room& room = rng.pick(scene.rooms);
   node.pose.position = {room.polygon[0].x() + rng.uniform(0.1, 3.9), rng.uniform(0.1, 3.9), 0.5};
   node.states.set({rng.chance(0.5) ? Predicate::Clean : Predicate::Dirty, ""});
-  node.colour = "blue";
+  node.color = "blue";
   return node;
 }
 
@@ -105,7 +105,7 @@ MadeTask made_task(int number, const Scene& home, Rng& rng) {
   made.furniture = rng.pick(ids_of(scene, furniture));
   if (about_mugs || about_cabinets) {
     const std::string meant = about_mugs ? made.small_thing : made.furniture;
-    edit_node(scene, meant)->colour = "red";
+    edit_node(scene, meant)->color = "red";
     made.kind = {meant};
     for (const auto& id : ids_of(scene, about_mugs ? small : furniture)) {
       if (id != meant) made.kind.push_back(id);

@@ -59,7 +59,7 @@ void add_alike(MadeTask& made, const std::string& id, int count) {
   for (int i = 0; i < count; ++i) {
     Node more = node;
     more.id += "0" + std::to_string(i + 1);
-    more.colour = "blue";
+    more.color = "blue";
     for (Edge edge : own) {
       if (edge.from != id) continue;
       edge.from = more.id;

@@ -7,7 +7,7 @@
 namespace unietp {
 namespace {
 
-TEST(ActionPage, TheCommittedPageIsWhatTheCatalogueAndTheProfilesGive) {
+TEST(ActionPage, TheCommittedPageIsWhatTheCatalogAndTheProfilesGive) {
   std::vector<Profile> plain, wide;
   const std::filesystem::path source = UNIETP_SOURCE_DIR;
   for (const Simulator simulator : kSimulators) {

@@ -23,7 +23,7 @@ TEST(ProblemText, ColumnsAreBytesAndTheCaretCountsCharacters) {
             "      |     ^\n");
 }
 
-TEST(ProblemText, AWarningIsCalledOneAndColourIsOnlyGivenWhenAsked) {
+TEST(ProblemText, AWarningIsCalledOneAndColorIsOnlyGivenWhenAsked) {
   const auto plain = problem_text(at(1, 1, true), "x", false);
   EXPECT_TRUE(plain.starts_with("a.template:1:1: warning: something is wrong\n")) << plain;
   EXPECT_EQ(plain.find('\033'), std::string::npos);

@@ -31,7 +31,7 @@ TEST(Text, TrimLowerAndReplaceAllChangeWhatTheyName) {
   EXPECT_FALSE(starts_with_vowel_letter(""));
 }
 
-TEST(NearestName, FindsAMisspeltNameAndNothingFarAway) {
+TEST(NearestName, FindsAMisspelledNameAndNothingFarAway) {
   const Words names = {"open", "closed", "power_on", "power_off"};
   EXPECT_EQ(nearest_name("opn", names), "open");
   EXPECT_EQ(nearest_name("OPEN", names), "open");

@@ -8,11 +8,11 @@
 namespace unietp {
 namespace {
 
-TEST(NormalisedText, ForgetsCasePunctuationAndBlanksButNoWord) {
-  EXPECT_EQ(normalised_text("  Put the Mug,  on the table! "), "put the mug on the table");
-  EXPECT_EQ(normalised_text("put 2 mugs"), "put 2 mugs");
-  EXPECT_NE(normalised_text("put a mug on a table"), normalised_text("put a mug on the table"));
-  EXPECT_EQ(normalised_text(""), "");
+TEST(NormalizedText, ForgetsCasePunctuationAndBlanksButNoWord) {
+  EXPECT_EQ(normalized_text("  Put the Mug,  on the table! "), "put the mug on the table");
+  EXPECT_EQ(normalized_text("put 2 mugs"), "put 2 mugs");
+  EXPECT_NE(normalized_text("put a mug on a table"), normalized_text("put a mug on the table"));
+  EXPECT_EQ(normalized_text(""), "");
 }
 
 TEST(RecordOf, ARejectedCandidateKeepsStageReasonAndWhatItWasGoingToBe) {

@@ -28,7 +28,7 @@ Json json_of(const Ended& ended) {
   return json;
 }
 
-TEST(Why, AFactThatHoldsTellsItsSourceItsLicenceAndWhereToChangeIt) {
+TEST(Why, AFactThatHoldsTellsItsSourceItsLicenseAndWhereToChangeIt) {
   const auto ended = ask({"why", "ai2thor", "Fridge", "openable"});
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_THAT(ended.out, HasSubstr("ai2thor Fridge openable: true\n"));

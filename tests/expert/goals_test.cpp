@@ -271,7 +271,7 @@ TEST(AnyStart, GivesASoundDemonstrationOrAKnownReason) {
   EXPECT_GT(shown, asked * 3 / 4) << "of " << asked;
 }
 
-INSTANTIATE_TEST_SUITE_P(Catalogue, EveryGoalShape, ::testing::ValuesIn(kGoalCases),
+INSTANTIATE_TEST_SUITE_P(Catalog, EveryGoalShape, ::testing::ValuesIn(kGoalCases),
                          [](const auto& about) { return std::string(about.param.name); });
 
 }  // namespace

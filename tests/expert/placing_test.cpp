@@ -33,13 +33,13 @@ Scene house_with(const std::vector<std::string>& movable) {
   return scene;
 }
 
-TEST_F(Placing, PutsAThingBesideItsNeighbourAndNotOnlyOnTheSameTable) {
+TEST_F(Placing, PutsAThingBesideItsNeighborAndNotOnlyOnTheSameTable) {
   const Scene scene = at_rest(house_with({"lamp_1", "potato_1"}));
   const std::string steps = plan("(exists (?x - Lamp) (exists (?y - Potato) (at-end (next_to ?x ?y))))", scene);
   EXPECT_THAT(steps, HasSubstr("place_on(diningtable_1)"));
 }
 
-TEST_F(Placing, TakesTheNeighbourToWhereThereIsRoomBesideIt) {
+TEST_F(Placing, TakesTheNeighborToWhereThereIsRoomBesideIt) {
   Scene scene = house_with({"lamp_1", "potato_1"});
   erase_if(scene.nodes, [](const Node& node) { return node.id == "diningtable_1"; });
   // On a stool that is hardly larger than itself.

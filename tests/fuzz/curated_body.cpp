@@ -101,7 +101,7 @@ const std::map<std::string, std::function<void(const Folder&, Errors&)>, std::le
        }},
       {"licences.csv",
        [](const Folder& folder, Errors& errors) {
-         (void)licence_of(read_licences(folder.path() / "licences.csv", errors), "metadata:x");
+         (void)license_of(read_licenses(folder.path() / "licences.csv", errors), "metadata:x");
        }},
       {"rules.csv",
        [](const Folder& folder, Errors& errors) {

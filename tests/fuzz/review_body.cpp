@@ -16,7 +16,7 @@ bool review_body(std::string_view text) {
   std::set<std::string> judged;
   for (const Review& review : *reviews) {
     require(!review.instruction.empty() && judged.insert(review.task).second);
-    require((review.judgement == Judgement::Edit) == !review.text.empty());
+    require((review.judgment == Judgment::Edit) == !review.text.empty());
   }
   return true;
 }

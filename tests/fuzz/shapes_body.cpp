@@ -27,7 +27,7 @@ bool shapes_body(std::string_view text) {
     for (const Vec3& size : {Vec3(0.1, 0.2, 0.3), Vec3(2, 0.01, 1)}) {
       const auto pieces = pieces_of(family, {size, 0.004, 7, {}});
       require(pieces.size() <= limits::kShapePieces);
-      for (const Piece& piece : pieces) require(piece.centre.allFinite() && piece.axes.allFinite());
+      for (const Piece& piece : pieces) require(piece.center.allFinite() && piece.axes.allFinite());
     }
     for (const Error& fault : faults_of(family, {0.1, 0.2, 0.3}, 0.004)) check_error(fault);
   }

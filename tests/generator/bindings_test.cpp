@@ -16,7 +16,7 @@ std::vector<Binding> bindings_by_brute_force(const Template& source, const Knowl
   std::set<std::string> words;
   for (const auto& category : knowledge.categories()) {
     words.insert(category.name);
-    for (const auto* list : {&category.rooms, &category.colours, &category.materials}) {
+    for (const auto* list : {&category.rooms, &category.colors, &category.materials}) {
       words.insert(list->begin(), list->end());
     }
   }

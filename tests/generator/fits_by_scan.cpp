@@ -18,7 +18,7 @@ class ScannedBinding {
     bool found = wanted == "any";
     for (const auto& known : knowledge_.categories()) {
       if (wanted == "room" || wanted == "colour" || wanted == "material") {
-        const auto& words = wanted == "room" ? known.rooms : wanted == "colour" ? known.colours : known.materials;
+        const auto& words = wanted == "room" ? known.rooms : wanted == "colour" ? known.colors : known.materials;
         found = found || std::find(words.begin(), words.end(), name) != words.end();
       }
       found = found || (known.name == name &&
@@ -88,7 +88,7 @@ class ScannedBinding {
   }
 
   static bool comes_in(const Category& category, const std::string& value) {
-    auto words = category.colours;
+    auto words = category.colors;
     words.insert(words.end(), category.materials.begin(), category.materials.end());
     const auto alike = value == "red" ? "orange" : value == "orange" ? "red" : "";
     return std::count(words.begin(), words.end(), value) == 1 &&

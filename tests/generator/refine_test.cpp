@@ -140,7 +140,7 @@ TEST(RefineReferring, ChoosesAmongAllKindsWhenNoneIsAskedFor) {
                                           "by-state", "by-two"}));
 }
 
-TEST(RefineReferring, AColourLeavesNothingThatCouldBeTakenForIt) {
+TEST(RefineReferring, AColorLeavesNothingThatCouldBeTakenForIt) {
   const auto knowledge = small_home(Simulator::Ai2thor);
   const auto plain = made("place-one-on", {{"A", "Mug"}, {"B", "Table"}});
   for (std::uint64_t seed = 0; seed < 20; ++seed) {

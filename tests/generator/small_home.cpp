@@ -74,7 +74,7 @@ Knowledge small_home(Simulator simulator) {
   for (auto& known : categories) {
     known.kinds = kKinds.at(known.name);
     known.kinds.push_back("thing");
-    if (known.name == "Mug" || known.name == "Book") known.colours = {"blue", "orange", "red"};
+    if (known.name == "Mug" || known.name == "Book") known.colors = {"blue", "orange", "red"};
     if (known.name == "Table" || known.name == "Shelf") known.materials = {"glass", "wood"};
   }
   for (const auto* name : {"Bowl", "Mug", "Plate", "Pot"}) afford(name, {"dirtyable", "heatable"});
@@ -150,7 +150,7 @@ void draw_comparisons(const EntityList& entities, const Knowledge& knowledge, Rn
   for (EntityIndex x; x.index() < entities.size(); ++x) {
     const auto* category = knowledge.find(entities[x].category);
     if (category == nullptr) continue;
-    if (!category->colours.empty()) facts.set(Colour, x, rng.pick(category->colours));
+    if (!category->colors.empty()) facts.set(Color, x, rng.pick(category->colors));
     if (!category->materials.empty()) facts.set(Material, x, rng.pick(category->materials));
     int others = 0;
     bool large = true, small = true;

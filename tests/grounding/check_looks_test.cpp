@@ -12,18 +12,18 @@ namespace unietp {
 namespace {
 
 /// What is wrong with "pick up the COLOR mug" where another mug has the color `other`.
-std::optional<GroundingFailure> problem_with(const std::string& colour, const std::string& other) {
+std::optional<GroundingFailure> problem_with(const std::string& color, const std::string& other) {
   const Knowledge& knowledge = committed_knowledge(Simulator::Ai2thor);
   Scene scene;
   scene.simulator = Simulator::Ai2thor;
-  for (const std::string& one : {colour, other}) {
+  for (const std::string& one : {color, other}) {
     Node mug = object_of(knowledge, *knowledge.find("Mug"), static_cast<std::uint32_t>(scene.nodes.size()));
-    mug.colour = one;
+    mug.color = one;
     scene.nodes.push_back(mug);
   }
   Specification asked;
   asked.split = Split::InstanceGrounding;
-  asked.goal = parsed("(exists (?a - (Mug :where (colour ?a " + colour + "))) (at-end (held ?a)))", FormulaUse::Goal);
+  asked.goal = parsed("(exists (?a - (Mug :where (colour ?a " + color + "))) (at-end (held ?a)))", FormulaUse::Goal);
   return check_looks(asked, scene, NodeIndex(scene.nodes), to_logic(scene, {}, true));
 }
 

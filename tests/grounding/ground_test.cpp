@@ -285,7 +285,7 @@ TEST_F(Ground, MakesOneOfTwoLargerAndLetsItStand) {
   }
 }
 
-TEST_F(Ground, GivesColoursThatAreTold) {
+TEST_F(Ground, GivesColorsThatAreTold) {
   const auto spec = specification("(exists (?a - (Mug :where (colour ?a red))) (at-end (held ?a)))",
                                   {"(forall (?a - Mug) (colour ?a any))", "(count = 1 (?a - Mug) (colour ?a red))",
                                    "(count >= 1 (?a - Mug) (not (colour ?a red)))"});
@@ -294,12 +294,12 @@ TEST_F(Ground, GivesColoursThatAreTold) {
     auto written = scene_from_json("start", scene_to_json(episode.start));
     ASSERT_TRUE(written);
     EXPECT_EQ(std::count_if(written->nodes.begin(), written->nodes.end(),
-                            [](const Node& node) { return node.category == "Mug" && node.colour == "red"; }),
+                            [](const Node& node) { return node.category == "Mug" && node.color == "red"; }),
               1);
   }
 }
 
-TEST_F(Ground, FurnitureGetsANeighbourSetDownBesideIt) {
+TEST_F(Ground, FurnitureGetsANeighborSetDownBesideIt) {
   const auto spec = specification(
       "(exists (?b - (SideTable :where (exists (?c - Box) (next_to ?b ?c)))) (exists (?a - Mug) (at-end (on ?a ?b))))",
       {"(count = 1 (?b - SideTable) (exists (?c - Box) (next_to ?b ?c)))",

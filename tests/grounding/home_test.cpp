@@ -42,7 +42,7 @@ Scene grown_out_of(const Scene& home, Rng rng) {
         scene.nodes.pop_back();
         break;
       default:
-        node.colour = "red";
+        node.color = "red";
     }
   }
   if (rng.chance(0.3)) scene.agent.position += Vec2(0.2, 0);
@@ -74,8 +74,8 @@ void expect_shows(const Trace& now, const Scene& scene, const EdgeSet& before) {
     for (const PredicateInfo& one : all_predicates()) {
       EXPECT_EQ(now.states.front().holds(one.predicate, e), read.states.front().holds(one.predicate, there));
     }
-    EXPECT_EQ(now.states.front().holds(Predicate::Colour, e, "red"),
-              read.states.front().holds(Predicate::Colour, there, "red"));
+    EXPECT_EQ(now.states.front().holds(Predicate::Color, e, "red"),
+              read.states.front().holds(Predicate::Color, there, "red"));
   }
   for (const Edge& edge : scene.edges) {
     EXPECT_TRUE(now.states.front().holds(edge.relation, place_of(now, edge.from), place_of(now, edge.to)));

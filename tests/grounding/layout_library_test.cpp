@@ -324,7 +324,7 @@ TEST_P(EveryLibrary, HasThingsOnTheFloorThatPeopleKeepThere) {
       bool near = false;
       for (int y = 0; y < walk.grid.height() && !near; ++y) {
         for (int x = 0; x < walk.grid.width() && !near; ++x)
-          near = walk.reached.has(x, y) && (walk.grid.centre({x, y}) - at).norm() < style().profile.reach_m;
+          near = walk.reached.has(x, y) && (walk.grid.center({x, y}) - at).norm() < style().profile.reach_m;
       }
       EXPECT_TRUE(near) << thing->id << " in " << home.id;
     }

@@ -25,7 +25,7 @@ constexpr std::uint64_t kMoreSeeds = 6;  // of the test of standing still
 
 struct Solid {
   Eigen::Matrix3d axes;
-  Vec3 centre, half;
+  Vec3 center, half;
   std::size_t node;
 };
 
@@ -63,7 +63,7 @@ double depth_of(const Solid& a, const Solid& b) {
     for (int i = 0; i < 3; ++i) {
       reach += std::abs(a.axes.col(i).dot(axis)) * a.half[i] + std::abs(b.axes.col(i).dot(axis)) * b.half[i];
     }
-    least = std::min(least, reach - std::abs((b.centre - a.centre).dot(axis)));
+    least = std::min(least, reach - std::abs((b.center - a.center).dot(axis)));
   }
   return least;
 }
@@ -192,7 +192,7 @@ TEST_P(EveryHome, LetsTheBodyWalkIntoEveryRoom) {
       bool reached = false;
       for (int y = 0; y < grid.height(); ++y) {
         for (int x = 0; x < grid.width(); ++x) {
-          reached = reached || (walk.has(x, y) && contains(room.polygon, grid.centre({x, y})));
+          reached = reached || (walk.has(x, y) && contains(room.polygon, grid.center({x, y})));
         }
       }
       EXPECT_TRUE(reached) << room.id;
@@ -206,7 +206,7 @@ TEST_P(EveryHome, HasNoTwoBodiesInOneAnother) {
     for (std::size_t i = 0; i < solids.size(); ++i) {
       for (std::size_t j = i + 1; j < solids.size(); ++j) {
         if (solids[i].node == solids[j].node) continue;
-        if ((solids[i].centre - solids[j].centre).norm() > solids[i].half.norm() + solids[j].half.norm()) continue;
+        if ((solids[i].center - solids[j].center).norm() > solids[i].half.norm() + solids[j].half.norm()) continue;
         // Physics lets resting bodies sink into one another by a fraction of a millimeter.
         EXPECT_LT(depth_of(solids[i], solids[j]), 1.5e-3)
             << home.nodes[solids[i].node].id << " and " << home.nodes[solids[j].node].id;
@@ -326,7 +326,7 @@ TEST_P(EveryHome, IsMadeWithoutSettlingTooWithTheSameFurniture) {
   for (std::size_t i = 0; i < solids.size(); ++i) {
     for (std::size_t j = i + 1; j < solids.size(); ++j) {
       if (solids[i].node == solids[j].node) continue;
-      if ((solids[i].centre - solids[j].centre).norm() > solids[i].half.norm() + solids[j].half.norm()) continue;
+      if ((solids[i].center - solids[j].center).norm() > solids[i].half.norm() + solids[j].half.norm()) continue;
       EXPECT_LT(depth_of(solids[i], solids[j]), 1e-6)
           << quick->nodes[solids[i].node].id << " and " << quick->nodes[solids[j].node].id;
     }

@@ -75,7 +75,7 @@ TEST(NearnessOnFoot, BeginsAndEndsOnTheFloorOfTheRoom) {
   const Vec2 in_the_corner(4, 0.1);
   const auto over_there = walk.grid.nearest_free(in_the_corner);
   ASSERT_TRUE(over_there);
-  ASSERT_LT(walk.grid.centre(*over_there).y(), 0) << "the nearest free floor is in the hall";
+  ASSERT_LT(walk.grid.center(*over_there).y(), 0) << "the nearest free floor is in the hall";
   EXPECT_TRUE(RoomWalk(walk, room.scene.rooms.front(), {1, 2.2}).meters_to(in_the_corner));
 }
 

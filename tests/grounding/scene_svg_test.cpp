@@ -94,8 +94,8 @@ TEST(PlaceLabels, TakesTheLeastCrowdedPlaceAndLeavesOutWhatHasNone) {
   const Label third{"desk", {10}, {{3, 0}}, 0};
   const auto placed = place_labels({first, second, third}, {{{100, 0}, {5, 5}}});
   ASSERT_TRUE(placed[0] && placed[1]);
-  EXPECT_EQ(placed[0]->centre_px, Vec2(0, 0));
-  EXPECT_EQ(placed[1]->centre_px, Vec2(200, 0));
+  EXPECT_EQ(placed[0]->center_px, Vec2(0, 0));
+  EXPECT_EQ(placed[1]->center_px, Vec2(200, 0));
   EXPECT_FALSE(placed[2]);
 }
 

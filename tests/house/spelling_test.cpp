@@ -1,5 +1,6 @@
-// What people read is in American English: the pages, and the comments of the code. Names in files and code, such as
-// `colour`, stay as they are; pages and comments write them in backquotes or as a part of a longer name.
+// What people read is in American English: the pages, and the comments and names of the code. Names in files that the
+// program reads and writes, such as `colour`, stay as they are; pages and comments write them in backquotes or as a
+// part of a longer name.
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -85,7 +86,36 @@ TEST(Spelling, OfCommentsIsAmerican) {
   }
 }
 
-TEST(Spelling, LeavesNamesAsTheyAre) {
+/// The words of which a name is made, as `few`, `Colors` and `png` of `fewColors_png`.
+std::vector<std::string> words_of_names(std::string_view code) {
+  std::vector<std::string> words(1);
+  for (std::size_t i = 0; i < code.size(); ++i) {
+    const auto c = static_cast<unsigned char>(code[i]);
+    const bool begins = std::isupper(c) != 0 && i > 0 && std::isupper(static_cast<unsigned char>(code[i - 1])) == 0;
+    if ((begins || std::isalpha(c) == 0) && !words.back().empty()) words.emplace_back();
+    if (std::isalpha(c) != 0) words.back() += code[i];
+  }
+  return words;
+}
+
+TEST(Spelling, OfNamesInCodeIsAmerican) {
+  for (const auto& file : source_files({".cpp", ".h"})) {
+    const auto code = read_file(file);
+    ASSERT_TRUE(code) << file;
+    std::vector<std::string> found;
+    for (const CodePiece& piece : pieces_of(*code))
+      if (piece.kind == CodePiece::Kind::Code)
+        for (const std::string& word : words_of_names(piece.text))
+          if (is_british(word)) found.push_back(word);
+    EXPECT_THAT(found, IsEmpty()) << file;
+  }
+}
+
+TEST(Spelling, FindsTheWordsOfANameInCode) {
+  EXPECT_THAT(words_of_names("kFewColours_png(Metre)"), ElementsAre("k", "Few", "Colours", "png", "Metre", ""));
+}
+
+TEST(Spelling, LeavesNamesOfFilesAsTheyAre) {
   EXPECT_THAT(british_words("Two Metres of colour."), ElementsAre("Metres", "colour"));
   EXPECT_THAT(british_words("`colour`, \"colour\", data/licences.csv, is_colour, nodes.colour, neighbours(3)"),
               IsEmpty());

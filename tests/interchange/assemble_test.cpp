@@ -22,12 +22,12 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-SourceObject thing(const std::string& id, const std::string& category, const Vec3& centre, const Vec3& size,
+SourceObject thing(const std::string& id, const std::string& category, const Vec3& center, const Vec3& size,
                    const std::string& holder = "") {
   SourceObject object;
   object.id = id;
   object.category = category;
-  object.pose.position = centre;
+  object.pose.position = center;
   object.size = size;
   if (!holder.empty()) object.held_by.push_back({SourceRelation::Kind::OnOrInside, holder});
   return object;

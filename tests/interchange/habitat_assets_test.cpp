@@ -106,7 +106,7 @@ TEST(Urdf, HasALinkAndAJointForEachDoor) {
 Node mug() {
   Node node;
   node.id = "mug_1", node.category = "mug", node.movable = true, node.archetype = Archetype::Cylinder;
-  node.size = {0.08, 0.08, 0.1}, node.mass = 0.3, node.colour = "red", node.material = "ceramic";
+  node.size = {0.08, 0.08, 0.1}, node.mass = 0.3, node.color = "red", node.material = "ceramic";
   return node;
 }
 
@@ -117,7 +117,7 @@ TEST(HabitatAssets, EqualThingsShareAStandIn) {
   const auto files = habitat_stand_in(one), again = habitat_stand_in(other);
   ASSERT_EQ(files.size(), 2U);
   for (std::size_t i = 0; i < files.size(); ++i) EXPECT_EQ(files[i].content, again[i].content) << files[i].path;
-  other.colour = "blue";
+  other.color = "blue";
   EXPECT_NE(habitat_stand_in_name(one), habitat_stand_in_name(other));
   other = one;
   other.boards.push_back({{0, 0, 0}, {0.01, 0.01, 0.01}, -1});

@@ -111,7 +111,7 @@ TEST(Virtualhome, ATrimmedGraphHasNoBoxesAndTheErrorSaysSo) {
   EXPECT_THAT(format(scenes.error()), HasSubstr("no node has a bounding box"));
 }
 
-TEST(Virtualhome, RoomsFollowTheirFloorsAndNeighboursShareAWall) {
+TEST(Virtualhome, RoomsFollowTheirFloorsAndNeighborsShareAWall) {
   const SourceScene scene = flat();
   ASSERT_EQ(scene.rooms.size(), 2U);
   EXPECT_EQ(scene.rooms[0].type, "kitchen");

@@ -147,7 +147,7 @@ TEST(ReadFormula, ABadDomainIsNoReasonToCallItsVariableUnbound) {
   EXPECT_THAT(all_problems("(exists ?x (at-end (open ?x)))"), ElementsAre(StartsWith("1:9:")));
 }
 
-TEST(ReadFormula, AMisspeltVariableIsAnsweredWithTheNearest) {
+TEST(ReadFormula, AMisspelledVariableIsAnsweredWithTheNearest) {
   EXPECT_THAT(all_problems("(exists (?mug - A) (at-end (open ?muug)))"),
               ::testing::ElementsAre("1:34: parse error: the variable ?muug is not bound here; bound are ?mug; did you "
                                      "mean '?mug'?"));

@@ -42,7 +42,7 @@ TEST(Html, OnlyAPageThatSaysSoAsksTheServerThatItCameFrom) {
   EXPECT_THAT(to_html(page), HasSubstr("; connect-src 'self'\""));
 }
 
-TEST(Asset, ChartJsComesWithItsLicence) {
+TEST(Asset, ChartJsComesWithItsLicense) {
   EXPECT_THAT(std::string(asset("chart.min.js").substr(0, 200)), HasSubstr("Released under the MIT License"));
   EXPECT_THAT(std::string(asset("chart.min.js")), Not(HasSubstr("</script")));
   EXPECT_EQ(asset("nothing.js"), "");

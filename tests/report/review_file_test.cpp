@@ -20,8 +20,8 @@ TEST(ReadReviews, GivesEachVerdict) {
       file(std::string(kAccept) +
            R"(, {"task": "a-2", "verdict": "edit", "instruction": "Open.", "text": " Shut it. ", "comment": "typo"})"));
   ASSERT_TRUE(reviews) << format(reviews.error());
-  EXPECT_THAT(*reviews, ElementsAre(Review{"a-1", Judgement::Accept, "Open it.", "", ""},
-                                    Review{"a-2", Judgement::Edit, "Open.", "Shut it.", "typo"}));
+  EXPECT_THAT(*reviews, ElementsAre(Review{"a-1", Judgment::Accept, "Open it.", "", ""},
+                                    Review{"a-2", Judgment::Edit, "Open.", "Shut it.", "typo"}));
 }
 
 TEST(ReadReviews, WhatIsWrongIsNamedWithItsPlace) {

@@ -149,10 +149,10 @@ TEST_F(ReviewPage, KeysJudgeAndTheSavedFileIsReadBack) {
   browser_->press("u");
   EXPECT_THAT(text("#counts"), HasSubstr("4 of 30 reviewed: 2 accepted, 1 rejected, 1 edited"));
   const std::vector<Review> expected{
-      {"ai2thor-0", Judgement::Accept, "Open fridge number 0, please.", "", ""},
-      {"ai2thor-1", Judgement::Reject, kHostile, "", ""},
-      {"ai2thor-2", Judgement::Edit, "Open fridge number 2, please.", "Shut the fridge at once.", ""},
-      {"ai2thor-3", Judgement::Accept, "Open fridge number 3, please.", "", "hard to see"}};
+      {"ai2thor-0", Judgment::Accept, "Open fridge number 0, please.", "", ""},
+      {"ai2thor-1", Judgment::Reject, kHostile, "", ""},
+      {"ai2thor-2", Judgment::Edit, "Open fridge number 2, please.", "Shut the fridge at once.", ""},
+      {"ai2thor-3", Judgment::Accept, "Open fridge number 3, please.", "", "hard to see"}};
   EXPECT_EQ(saved(), expected);
   expect_quiet();
   // Nothing is lost when the page is closed.

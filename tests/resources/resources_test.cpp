@@ -46,13 +46,13 @@ TEST(Resources, TheDigestSeesNamesPhrasesAndTemplates) {
   }
 }
 
-TEST(Resources, EverySourceOfAFactHasALicence) {
+TEST(Resources, EverySourceOfAFactHasALicense) {
   const auto reading = load_resources(own_folders());
   ASSERT_TRUE(reading.errors.empty());
-  const auto sources = sources_of(RunConfiguration{}, reading.resources, own_folders().licences());
+  const auto sources = sources_of(RunConfiguration{}, reading.resources, own_folders().licenses());
   ASSERT_TRUE(sources) << format(sources.error());
   EXPECT_GT(sources->size(), 5U);
-  for (const auto& source : *sources) EXPECT_FALSE(source.licence.empty()) << source.source;
+  for (const auto& source : *sources) EXPECT_FALSE(source.license.empty()) << source.source;
 }
 
 TEST(LayoutPool, GivesEqualHomesWhoeverAsksFirst) {

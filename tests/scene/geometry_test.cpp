@@ -27,7 +27,7 @@ TEST(Geometry, ComposedPosesMovePointsOneAfterTheOtherAndInversesUndoThem) {
   }
 }
 
-TEST(Geometry, AnUprightPoseTurnsXTowardsYAndTellsItsYaw) {
+TEST(Geometry, AnUprightPoseTurnsXTowardYAndTellsItsYaw) {
   const Pose quarter = upright({1, 2, 3}, std::numbers::pi / 2);
   EXPECT_TRUE((quarter * Vec3(1, 0, 0)).isApprox(Vec3(1, 3, 3), 1e-12));
   for (double yaw = -3.1; yaw < 3.1; yaw += 0.1) EXPECT_NEAR(yaw_of(upright(Vec3::Zero(), yaw)), yaw, 1e-12);

@@ -78,7 +78,7 @@ Node random_node(std::string id, Rng& rng) {
                            static_cast<int>(rng.below(3)) - 1});
   }
   node.states = random_states(rng);
-  if (rng.chance(0.3)) node.colour = "red";
+  if (rng.chance(0.3)) node.color = "red";
   if (rng.chance(0.3)) node.material = "oak~/wood";
   if (rng.chance(0.2)) node.asset = "Bread_4";
   if (rng.chance(0.2)) node.slice_of = "bread_1", node.whole_category = "Bread";

@@ -104,7 +104,7 @@ TEST(Schemas, RefuseTheSameDamageAsTheReader) {
   Scene scene = random_scene(rng);
   scene.nodes = {random_node("bread_1", rng)};
   scene.nodes.edit(0).asset = "Bread_4", scene.nodes.edit(0).slice_of = "bread_0",
-  scene.nodes.edit(0).whole_category = "Bread", scene.nodes.edit(0).colour = "red";
+  scene.nodes.edit(0).whole_category = "Bread", scene.nodes.edit(0).color = "red";
   scene.nodes.edit(0).states.set({Predicate::Clean, ""});
   scene.edges = {{Predicate::On, "bread_1", "bread_1"}};
   scene.agent.held = {"bread_1"};

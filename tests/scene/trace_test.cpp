@@ -65,7 +65,7 @@ TEST(Facts, OfASceneAreItsNodesStatesAndEdgesAndNothingElseForAnySeed) {
         EXPECT_EQ(facts.holds(Predicate::Covered, x, "dust"),
                   node && node->states.has(State{Predicate::Covered, "dust"}));
         EXPECT_EQ(facts.holds(Predicate::Filled, x, "any"), node && node->states.has(Predicate::Filled));
-        EXPECT_EQ(facts.holds(Predicate::Colour, x, "red"), node && node->colour == "red");
+        EXPECT_EQ(facts.holds(Predicate::Color, x, "red"), node && node->color == "red");
         EXPECT_EQ(facts.holds(Predicate::Material, x, "any"), node && !node->material.empty());
         for (EntityIndex y; y.index() < entities.size(); ++y) {
           for (const Predicate p : {Predicate::On, Predicate::InRoom, Predicate::OnFloor}) {

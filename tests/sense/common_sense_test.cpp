@@ -127,14 +127,14 @@ TEST(CommonSense, KeepsApartWhatIsDangerousTogether) {
   EXPECT_EQ(sense.together({"plate", "plate", {}}, {"cutlery", "fork", {}}).grade, Grade::Usual);
 }
 
-TEST(CommonSense, EverySourceOfTheTablesHasALicence) {
+TEST(CommonSense, EverySourceOfTheTablesHasALicense) {
   std::vector<Error> errors;
-  const auto licences = read_licences(std::filesystem::path(UNIETP_SOURCE_DIR) / "data/licences.csv", errors);
+  const auto licenses = read_licenses(std::filesystem::path(UNIETP_SOURCE_DIR) / "data/licences.csv", errors);
   const auto& kinds = test::committed_sense().kinds();
   const auto evidence = read_evidence(test::sense_tables() / "counts.csv", kinds, errors);
   EXPECT_TRUE(errors.empty());
   EXPECT_GT(evidence.size(), 1000u);
-  for (const auto& row : evidence) EXPECT_TRUE(licence_of(licences, row.source)) << row.source;
+  for (const auto& row : evidence) EXPECT_TRUE(license_of(licenses, row.source)) << row.source;
 }
 
 }  // namespace

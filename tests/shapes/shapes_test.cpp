@@ -41,8 +41,8 @@ Bounds bounds_of(const std::vector<Piece>& pieces) {
           for (const double side : {-1.0, 1.0}) {
             const double at = end * piece.axes(i, 2) +
                               side * (wide.x() * std::abs(piece.axes(i, 0)) + wide.y() * std::abs(piece.axes(i, 1)));
-            all.low[i] = std::min(all.low[i], piece.centre[i] + at);
-            all.high[i] = std::max(all.high[i], piece.centre[i] + at);
+            all.low[i] = std::min(all.low[i], piece.center[i] + at);
+            all.high[i] = std::max(all.high[i], piece.center[i] + at);
           }
         }
         continue;
@@ -51,15 +51,15 @@ Bounds bounds_of(const std::vector<Piece>& pieces) {
           const Vec2& wide = end < 0 ? piece.low : piece.high;
           const double aside = std::hypot(wide.x() * piece.axes(i, 0), wide.y() * piece.axes(i, 1));
           for (const double side : {-1.0, 1.0}) {
-            const double at = piece.centre[i] + end * piece.axes(i, 2) + side * aside;
+            const double at = piece.center[i] + end * piece.axes(i, 2) + side * aside;
             all.low[i] = std::min(all.low[i], at);
             all.high[i] = std::max(all.high[i], at);
           }
         }
         continue;
       }
-      all.low[i] = std::min(all.low[i], piece.centre[i] - reach);
-      all.high[i] = std::max(all.high[i], piece.centre[i] + reach);
+      all.low[i] = std::min(all.low[i], piece.center[i] - reach);
+      all.high[i] = std::max(all.high[i], piece.center[i] + reach);
     }
   }
   return all;
@@ -98,14 +98,14 @@ TEST(ShapeLanguage, VariesBySeedAndRepeatsWithIt) {
       family_in("(param a 0.2 0.9) (drum -1 1 -1 1 -1 1 (high a)) (paint (any red blue) (ball 0 1 0 1 0 1))");
   const auto with = [&](std::uint32_t seed) { return pieces_of(family, {{0.1, 0.1, 0.2}, 0.004, seed, {}}); };
   std::set<double> ends;
-  std::set<Rgb> colours;
+  std::set<Rgb> colors;
   for (std::uint32_t seed = 0; seed < 30; ++seed) {
     ends.insert(with(seed)[0].high.x());
-    colours.insert(*with(seed)[1].colour);
+    colors.insert(*with(seed)[1].color);
     EXPECT_EQ(with(seed)[0].high.x(), with(seed)[0].high.x());
   }
   EXPECT_EQ(ends.size(), 30U);
-  EXPECT_EQ(colours.size(), 2U);
+  EXPECT_EQ(colors.size(), 2U);
   EXPECT_GE(*ends.begin(), 0.2);
   EXPECT_LT(*ends.rbegin(), 0.9);
 }
@@ -115,10 +115,10 @@ TEST(ShapeLanguage, PutsAxesAndStatesWhereTheySay) {
   const Vec3 size(0.1, 0.4, 0.2);
   const auto tip =
       pieces_of(family_in("(axes long) (box -1 1 -1 1 -1 1) (ball 0.5 1 -0.2 0.2 -0.2 0.2)"), {size, 0.004, 1, {}});
-  EXPECT_NEAR(tip[1].centre.y(), 0.75, 1e-9);
+  EXPECT_NEAR(tip[1].center.y(), 0.75, 1e-9);
   const auto lies =
       pieces_of(family_in("(axes tall) (box -1 1 -1 1 -1 1) (ball -0.2 0.2 -0.2 0.2 0.5 1)"), {size, 0.004, 1, {}});
-  EXPECT_NEAR(lies[1].centre.y(), 0.75, 1e-9);
+  EXPECT_NEAR(lies[1].center.y(), 0.75, 1e-9);
   const ShapeFamily lid = family_in("(box -1 1 -1 1 -1 1) (when open (ball -1 1 -1 1 -1 1) (ball -1 0 -1 0 -1 0))");
   StateSet open;
   open.set({Predicate::Open, ""});

@@ -20,9 +20,9 @@ std::vector<Action> with(const char* id, const char* at) { return {go(id), {Pick
 
 Node& node(Scene& scene, const std::string& id) { return *edit_node(scene, id); }
 
-Node& block(Scene& scene, const Vec3& centre, const Vec3& size, double yaw = 0) {
+Node& block(Scene& scene, const Vec3& center, const Vec3& size, double yaw = 0) {
   Node& added = add(scene, fresh_id(scene, "CounterTop"), kitchen_knowledge(scene.simulator), "CounterTop", 0, 0, 0);
-  added.pose = upright(centre, yaw);
+  added.pose = upright(center, yaw);
   added.size = size;
   return added;
 }
@@ -92,8 +92,8 @@ void stand(Scene& scene, double yaw) {
 void box_in(Scene& scene) {
   const Vec2 at = scene.agent.position;
   for (const Vec2& side : {Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)}) {
-    const Vec2 centre = at + 0.5 * side;
-    block(scene, {centre.x(), centre.y(), 0.5}, {0.3 + std::abs(side.y()), 0.3 + std::abs(side.x()), 1});
+    const Vec2 center = at + 0.5 * side;
+    block(scene, {center.x(), center.y(), 0.5}, {0.3 + std::abs(side.y()), 0.3 + std::abs(side.x()), 1});
   }
 }
 /// Something solid where the hand is.

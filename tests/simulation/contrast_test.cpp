@@ -13,10 +13,10 @@ Node mug() {
   return object_of(knowledge, *knowledge.find("Mug"), 0);
 }
 
-TEST(Contrast, TellsColoursMaterialsAndStatesApartThatPicturesShow) {
+TEST(Contrast, TellsColorsMaterialsAndStatesApartThatPicturesShow) {
   Node red = mug(), blue = red, metal = red, wooden = red, dirty = red;
-  red.colour = "red";
-  blue.colour = "blue";
+  red.color = "red";
+  blue.color = "blue";
   metal.material = "metal";
   wooden.material = "wood";
   dirty.states.set({Predicate::Dirty, ""});
@@ -27,8 +27,8 @@ TEST(Contrast, TellsColoursMaterialsAndStatesApartThatPicturesShow) {
 
 TEST(Contrast, DoesNotTellApartWhatLooksTheSame) {
   Node clear = mug(), transparent = clear;
-  clear.colour = "clear";
-  transparent.colour = "transparent";
+  clear.color = "clear";
+  transparent.color = "transparent";
   const Contrast none = contrast_of(clear, transparent, Simulator::Ai2thor);
   EXPECT_EQ(none.mean, 0);
   EXPECT_EQ(none.clear, 0);
@@ -40,13 +40,13 @@ TEST(Contrast, ComparesAThingWithItselfAsAnotherOneIs) {
   one.states.set({Predicate::Dirty, ""});
   other.states.set({Predicate::Clean, ""});
   other.states.set({Predicate::Filled, "coffee"});
-  other.colour = "green";
+  other.color = "green";
   const auto clean = with_look_of(one, other, Predicate::Dirty);
   ASSERT_TRUE(clean);
   EXPECT_TRUE(clean->states.has(Predicate::Clean));
   EXPECT_FALSE(clean->states.has(Predicate::Filled));
-  EXPECT_EQ(clean->colour, one.colour);
-  EXPECT_EQ(with_look_of(one, other, Predicate::Colour)->colour, "green");
+  EXPECT_EQ(clean->color, one.color);
+  EXPECT_EQ(with_look_of(one, other, Predicate::Color)->color, "green");
   EXPECT_EQ(with_look_of(one, one, Predicate::Dirty), std::nullopt);
   EXPECT_EQ(with_look_of(one, other, Predicate::On), std::nullopt);
 }

@@ -9,13 +9,13 @@ namespace unietp {
 namespace {
 
 std::tuple<double, double, double> painted(const std::string& id, const std::string& category,
-                                           const std::string& colour = "") {
+                                           const std::string& color = "") {
   Node node;
   node.id = id;
   node.category = category;
-  node.colour = colour;
+  node.color = color;
   node.archetype = Archetype::Vessel;
-  const Colour paint = paint_of(node);
+  const Color paint = paint_of(node);
   return {paint.x(), paint.y(), paint.z()};
 }
 

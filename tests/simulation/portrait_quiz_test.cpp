@@ -72,7 +72,7 @@ TEST(PortraitQuiz, AsksForMaterialsThatTheCategoryUsuallyHas) {
   for (const QuizItem& item : items) {
     EXPECT_EQ(item.shown[0].material, item.answer);
     EXPECT_NE(item.shown[1].material, item.answer);
-    EXPECT_EQ(item.shown[0].colour, item.shown[1].colour);
+    EXPECT_EQ(item.shown[0].color, item.shown[1].color);
     for (const Node& node : item.shown) {
       const auto& usual = item.category->materials;
       EXPECT_NE(std::find(usual.begin(), usual.end(), node.material), usual.end());

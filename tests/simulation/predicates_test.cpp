@@ -74,8 +74,7 @@ std::map<Predicate, Pair> pairs() {
   all[Read] = {[](Scene& scene) { node(scene, "mug_1").states.set({Read, ""}); }, {"read mug_1"}, {"read plate_1"}};
   all[Held] = {
       [](Scene& scene) { scene.agent.held = {"mug_1"}; }, {"held mug_1"}, {"held plate_1", "on mug_1 diningtable_1"}};
-  all[Colour] = {
-      [](Scene& scene) { node(scene, "mug_1").colour = "red"; }, {"colour mug_1 red"}, {"colour mug_1 blue"}};
+  all[Color] = {[](Scene& scene) { node(scene, "mug_1").color = "red"; }, {"colour mug_1 red"}, {"colour mug_1 blue"}};
   all[Material] = {
       [](Scene& scene) { node(scene, "mug_1").material = "glass"; }, {"material mug_1 glass"}, {"material mug_1 wood"}};
   all[On] = {moved("mug_1", 2.3, 1.35, 0.772), {"on mug_1 plate_1"}, {"on plate_1 mug_1", "inside mug_1 plate_1"}};

@@ -32,7 +32,7 @@ TEST(ShapeOfANode, ItsOwnBoardsReplaceTheArchetypesSolidsAndKeepItsHollow) {
   EXPECT_EQ(own.parts[2].joint, 0);
   EXPECT_EQ(own.parts[3].joint, -1) << "no such joint";
   ASSERT_EQ(own.surfaces.size(), 3u) << "a door's edge is no place to put things";
-  EXPECT_NEAR(own.surfaces[0].centre.z(), 0.21, 1e-12);
+  EXPECT_NEAR(own.surfaces[0].center.z(), 0.21, 1e-12);
   EXPECT_NEAR(own.surfaces[0].clearance, 0.62, 1e-12);
   EXPECT_EQ(own.surfaces[0].cavity, 0);
   EXPECT_EQ(own.surfaces[1].cavity, -1) << "on top of it";
@@ -51,7 +51,7 @@ Shape counter_of(std::vector<Board> boards) {
 TEST(ShapeOfANode, ABoardThinnerThanAGapIsASurface) {
   const Shape shape = counter_of({{{0, 0, 0}, {2, 0.6, 0.9}, -1}, {{0, 0, 0.4505}, {2, 0.6, 0.001}, -1}});
   ASSERT_EQ(shape.surfaces.size(), 1u) << "the face below is covered";
-  EXPECT_NEAR(shape.surfaces[0].centre.z(), 0.451, 1e-12);
+  EXPECT_NEAR(shape.surfaces[0].center.z(), 0.451, 1e-12);
   EXPECT_NEAR(shape.surfaces[0].half.x(), 0.99, 1e-12);
   EXPECT_NEAR(shape.surfaces[0].clearance, 2, 1e-12);
 }
@@ -71,10 +71,10 @@ TEST(ShapeOfANode, WhatHangsLowOverATopTakesOnlyItsOwnPartOfIt) {
   const Shape shape = counter_of({{{0, 0, 0}, {2, 0.6, 0.9}, -1}, {{-0.8, 0.1, 0.47}, {0.1, 0.1, 0.01}, -1}});
   double widest = 0;
   for (const Surface& surface : shape.surfaces) {
-    if (surface.clearance > 1.9 && std::abs(surface.centre.z() - 0.45) < 1e-9)
+    if (surface.clearance > 1.9 && std::abs(surface.center.z() - 0.45) < 1e-9)
       widest = std::max(widest, surface.half.x() * surface.half.y());
-    const Vec2 apart = (surface.centre.head<2>() - Vec2(-0.8, 0.1)).cwiseAbs() - surface.half;
-    const bool is_top = std::abs(surface.centre.z() - 0.45) < 1e-9;
+    const Vec2 apart = (surface.center.head<2>() - Vec2(-0.8, 0.1)).cwiseAbs() - surface.half;
+    const bool is_top = std::abs(surface.center.z() - 0.45) < 1e-9;
     EXPECT_FALSE(is_top && apart.maxCoeff() < 0) << "there are 1.5 cm below it";
   }
   EXPECT_GT(4 * widest, 1) << "of 1.2 square meters all but a strip";
@@ -103,7 +103,7 @@ TEST(MakeShape, LeavesCavitiesFreeOfSolidsExceptShelves) {
   const Shape fridge = make_shape(Archetype::Cabinet, {0.7, 0.65, 0.4}, true);  // low: one bay, no shelf
   ASSERT_EQ(fridge.cavities.size(), 1u);
   const Cavity& cavity = fridge.cavities.front();
-  const Part hollow{Part::Kind::Box, {cavity.centre, Quat::Identity()}, 2 * cavity.half, -1};
+  const Part hollow{Part::Kind::Box, {cavity.center, Quat::Identity()}, 2 * cavity.half, -1};
   for (const Part& part : fridge.parts) EXPECT_FALSE(overlap_by(part, hollow, 1e-9));
   EXPECT_GT(8 * cavity.half.prod(), 0.7 * 0.7 * 0.65 * 0.4);
 }
@@ -116,7 +116,7 @@ TEST(MakeShape, AHollowHasAWallOnEachSide) {
     const Shape shape = make_shape(archetype, size, archetype == Archetype::Lidded);
     ASSERT_EQ(shape.cavities.size(), 1u);
     const Cavity& cavity = shape.cavities.front();
-    const double height = cavity.centre.z();
+    const double height = cavity.center.z();
     for (const Vec3& side :
          {Vec3(0.199, 0, height), Vec3(-0.199, 0, height), Vec3(0, 0.149, height), Vec3(0, -0.149, height)}) {
       EXPECT_TRUE(std::any_of(shape.parts.begin(), shape.parts.end(), [&](const Part& part) {
@@ -124,8 +124,8 @@ TEST(MakeShape, AHollowHasAWallOnEachSide) {
         return (bounds.high - side).minCoeff() >= 0 && (side - bounds.low).minCoeff() >= 0;
       })) << side.transpose();
     }
-    EXPECT_LT((cavity.centre.cwiseAbs() + cavity.half - size / 2).head<2>().maxCoeff(), 0);
-    const Part hollow{Part::Kind::Box, {cavity.centre, Quat::Identity()}, 2 * cavity.half, -1};
+    EXPECT_LT((cavity.center.cwiseAbs() + cavity.half - size / 2).head<2>().maxCoeff(), 0);
+    const Part hollow{Part::Kind::Box, {cavity.center, Quat::Identity()}, 2 * cavity.half, -1};
     for (const Part& part : shape.parts) EXPECT_FALSE(overlap_by(part, hollow, 1e-9));
     const auto floor = std::find_if(shape.surfaces.begin(), shape.surfaces.end(),
                                     [](const Surface& surface) { return surface.cavity == 0; });
@@ -140,10 +140,10 @@ TEST(MakeShape, AShelfHasABoardBelowAndAboveEachBay) {
     SCOPED_TRACE(height);
     const Shape shelf = make_shape(Archetype::Shelf, {0.8, 0.3, height}, false);
     ASSERT_EQ(shelf.surfaces.size(), bays + 1U);
-    EXPECT_NEAR(shelf.surfaces.front().centre.z(), -height / 2 + 0.02, 1e-9);
-    EXPECT_NEAR(shelf.surfaces.back().centre.z(), height / 2, 1e-9);
+    EXPECT_NEAR(shelf.surfaces.front().center.z(), -height / 2 + 0.02, 1e-9);
+    EXPECT_NEAR(shelf.surfaces.back().center.z(), height / 2, 1e-9);
     for (std::size_t i = 1; i < shelf.surfaces.size(); ++i) {
-      const double rise = shelf.surfaces[i].centre.z() - shelf.surfaces[i - 1].centre.z();
+      const double rise = shelf.surfaces[i].center.z() - shelf.surfaces[i - 1].center.z();
       EXPECT_NEAR(shelf.surfaces[i - 1].clearance, rise - 0.02, 1e-9) << "up to the board above";
     }
   }

@@ -101,7 +101,7 @@ TEST(ShapeSolids, OutlinesCoverEveryPixelThatARayFinds) {
     const RayTarget target(solid);
     for (int y = 0; y < camera.height; ++y) {
       for (int x = 0; x < camera.width; ++x) {
-        const Vec3 from = target.to_own * (camera.at - target.centre);
+        const Vec3 from = target.to_own * (camera.at - target.center);
         const double along = enter(target, from, target.to_own * camera.ray(x + 0.5, y + 0.5)).along;
         if (along == kNever) continue;
         ++pixels;

@@ -35,16 +35,16 @@ TEST(WallShadow, HidesOnlySpheresOfWhichEveryPointIsBehindTheWall) {
     const Vec3 eye(rng.uniform(-3, 3), rng.uniform(-3, 3), 1.5);
     const auto shadow = WallShadow::of(wall, eye);
     if (!shadow) continue;
-    const Vec3 centre(rng.uniform(-4, 4), rng.uniform(-4, 4), rng.uniform(0, 2.4));
+    const Vec3 center(rng.uniform(-4, 4), rng.uniform(-4, 4), rng.uniform(0, 2.4));
     const double radius = rng.uniform(0.02, 0.5);
-    if (!shadow->hides(centre, radius)) {
+    if (!shadow->hides(center, radius)) {
       ++in_sight;
       continue;
     }
     ++hidden;
     for (int k = 0; k < 20; ++k) {
       const Vec3 aside(rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1));
-      ASSERT_TRUE(crosses(wall, eye, centre + radius * aside.normalized()));
+      ASSERT_TRUE(crosses(wall, eye, center + radius * aside.normalized()));
     }
   }
   EXPECT_GT(hidden, 500);

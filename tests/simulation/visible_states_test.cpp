@@ -39,7 +39,7 @@ Node thing(Archetype archetype, const Vec3& size) {
   node.archetype = archetype;
   node.movable = size.maxCoeff() < 0.5;
   node.size = size;
-  node.colour = "white";
+  node.color = "white";
   const double low = size.maxCoeff() < 0.5 ? 1.0 : 0.0;
   node.pose = upright(Vec3(3, 3, low + size.z() / 2), 0);
   return node;
@@ -118,17 +118,17 @@ class VisibleState : public ::testing::TestWithParam<Archetype> {};
 TEST_P(VisibleState, ChangesThePictureAtArmsLength) {
   const Profile profile = profile_for(200);
   const bool large = GetParam() <= Archetype::Fixture;
-  for (const char* colour : {"white", "black", "brown"}) {
+  for (const char* color : {"white", "black", "brown"}) {
     for (const Pair& pair : pairs()) {
       if (!may_be(GetParam(), pair.with.predicate)) continue;
       Node with = thing(GetParam(), large ? Vec3(0.8, 0.6, 0.8) : Vec3(0.2, 0.2, 0.16));
-      with.colour = colour;
+      with.color = color;
       with.openable = pair.with.predicate == Predicate::Open;
       Node without = with;
       with.states.set(pair.with);
       without.states.set(pair.without);
       if (with.openable) with.opening = 1;
-      SCOPED_TRACE(std::string(colour) + " " + std::string(info(pair.with.predicate).name) + " " + pair.with.symbol);
+      SCOPED_TRACE(std::string(color) + " " + std::string(info(pair.with.predicate).name) + " " + pair.with.symbol);
       const Contrast found = contrast(with, without, profile);
       EXPECT_GE(found.clear_pixels, kLeastPixels);
       if (pair.with.predicate != Predicate::PluggedIn) {
@@ -222,7 +222,7 @@ TEST(VisibleState, OfALampLightsWhatIsNear) {
   EXPECT_GT(brighter, 120 * 120 / 4) << "most of the picture is floor and wall";
 }
 
-TEST(VisibleMaterial, IsToldFromOthersOfTheSameColour) {
+TEST(VisibleMaterial, IsToldFromOthersOfTheSameColor) {
   const Profile profile = profile_for(200);
   const std::vector<std::string> materials{"wood",    "metal", "glass",  "ceramic", "fabric",
                                            "leather", "stone", "wicker", "rubber",  "cardboard"};
@@ -232,7 +232,7 @@ TEST(VisibleMaterial, IsToldFromOthersOfTheSameColour) {
       if (one >= other) continue;
       Node a = thing(Archetype::Box, {0.3, 0.25, 0.2});
       a.material = one;
-      a.colour = "brown";
+      a.color = "brown";
       Node b = a;
       b.material = other;
       EXPECT_GE(contrast(a, b, profile).mean, kLeast) << one << " and " << other;
@@ -246,7 +246,7 @@ TEST(VisibleMaterial, OfGlassShowsWhatIsBehind) {
   glass.material = "glass";
   Node red = thing(Archetype::Box, {0.3, 0.1, 0.3});
   red.id = "thing_2";
-  red.colour = "red";
+  red.color = "red";
   red.pose.position.y() += 0.12;
   Rays rays;
   const Scene alone = before(empty_room(), &glass, profile, glass.pose.position, 0.15);

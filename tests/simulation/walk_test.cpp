@@ -98,7 +98,7 @@ TEST_F(Walking, CellsToStandOnAreAllThatAreInReachAndOutOfTheDoorsWay) {
     std::set<std::pair<double, double>> wanted, found;
     for (int y = 0; y < grid.height(); ++y) {
       for (int x = 0; x < grid.width(); ++x) {
-        const Vec2 at = grid.centre({x, y});
+        const Vec2 at = grid.center({x, y});
         if (walk.has(x, y) && reach_distance(node, at, profile_) <= profile_.reach_m - kReserve_m &&
             !in_door_sweep(node, at, profile_))
           wanted.emplace(at.x(), at.y());
@@ -126,12 +126,12 @@ TEST_F(Walking, IntoARoomLeadsToTheCellNearestToTheMiddleOfItsCorners) {
     for (const Vec2& corner : shape) middle += corner / static_cast<double>(shape.size());
     const NavigationGrid grid(scene_, profile_);
     const auto from = *grid.nearest_free(middle);
-    scene_.agent.position = grid.centre(from);
+    scene_.agent.position = grid.center(from);
     const auto walk = grid.reached_from(from);
     std::optional<Vec2> nearest;  // the first of several
     for (int y = 0; y < grid.height(); ++y) {
       for (int x = 0; x < grid.width(); ++x) {
-        const Vec2 at = grid.centre({x, y});
+        const Vec2 at = grid.center({x, y});
         if (!walk.has(x, y) || !contains(shape, at)) continue;
         if (!nearest || (at - middle).squaredNorm() < (*nearest - middle).squaredNorm()) nearest = at;
       }

@@ -125,7 +125,7 @@ class NaiveDraw {
   }
 
   void dress(symbolic::ObjectEntry& role, const symbolic::Kind& about) {
-    if (!about.colours.empty()) role.colour = rng_.pick(about.colours);
+    if (!about.colors.empty()) role.color = rng_.pick(about.colors);
     if (!about.materials.empty()) role.material = rng_.pick(about.materials);
     role.size = rng_.chance(0.5) ? "small" : "large";
   }
@@ -212,7 +212,7 @@ class NaiveDraw {
       case Predicate::Covered:
         draw_coat(id);
         return false;
-      case Predicate::Colour:
+      case Predicate::Color:
       case Predicate::Material:
       case Predicate::Size:
         dress(scene_.setting.objects.object(id), kind(id));

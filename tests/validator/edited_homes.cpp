@@ -92,7 +92,7 @@ Scene turned_a_quarter(Scene home, Rng rng) {
 }
 Scene turned_by_any_angle(Scene home, Rng rng) { return turned(std::move(home), rng.uniform(0, 6)); }
 
-Scene all_moved_a_centimetre(Scene home, Rng rng) { return shaken(std::move(home), rng, 0.01); }
+Scene all_moved_a_centimeter(Scene home, Rng rng) { return shaken(std::move(home), rng, 0.01); }
 
 Scene half_of_the_rooms(Scene home, Rng) {
   const size_t half = home.rooms.size() / 2;
@@ -119,7 +119,7 @@ const std::vector<HomeEdit> kHomeEdits{
     {"one room removed", one_room_removed},
     {"one category renamed", one_category_renamed},
     {"all categories renamed", all_categories_renamed},
-    {"all objects moved by 1 cm", all_moved_a_centimetre},
+    {"all objects moved by 1 cm", all_moved_a_centimeter},
     {"half of the rooms only", half_of_the_rooms},
     {"moved, removed, renamed, mirrored, turned", all_of_these},
 };

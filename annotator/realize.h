@@ -13,7 +13,7 @@ namespace unietp {
 /// Words a plan: one of the many texts that say it, drawn by rng. A context sentence is put in front by the caller.
 /// `nullopt` when the drawn forms would be ambiguous;
 /// another draw may not be.
-std::optional<std::string> realise(const Plan& plan, const NounTable& lexicon, const Wording& wording, Rng rng);
+std::optional<std::string> realize(const Plan& plan, const NounTable& lexicon, const Wording& wording, Rng rng);
 
 /// "There is a mug on the desk.", of what stands at one place. `nullopt`: as above.
 std::optional<std::string> fact_sentence(const NounPhrase& thing, Naming& naming, Rng& rng);

@@ -1,4 +1,4 @@
-#include "annotator/realise_proposition.h"
+#include "annotator/realize_proposition.h"
 
 #include "core/text.h"
 

@@ -1,4 +1,4 @@
-#include "annotator/realise.h"
+#include "annotator/realize.h"
 
 #include <algorithm>
 #include <initializer_list>
@@ -9,7 +9,7 @@
 #include "annotator/idiom_writing.h"
 #include "annotator/if_or_else.h"
 #include "annotator/naming.h"
-#include "annotator/realise_proposition.h"
+#include "annotator/realize_proposition.h"
 #include "core/text.h"
 
 namespace unietp {
@@ -18,9 +18,9 @@ namespace {
 using Text = std::optional<std::string>;
 using Kind = Requirement::Kind;
 
-class Realiser {
+class Realizer {
  public:
-  Realiser(const Plan& plan, const NounTable& lexicon, const Wording& wording, Rng rng)
+  Realizer(const Plan& plan, const NounTable& lexicon, const Wording& wording, Rng rng)
       : plan_(plan),
         rng_(rng),
         naming_(plan, lexicon, wording, rng_),
@@ -392,8 +392,8 @@ std::optional<std::string> fact_sentence(const NounPhrase& thing, Naming& naming
   return where ? Text(sentence(there + named->text + " " + *where, '.')) : std::nullopt;
 }
 
-std::optional<std::string> realise(const Plan& plan, const NounTable& lexicon, const Wording& wording, Rng rng) {
-  auto text = Realiser(plan, lexicon, wording, rng).text();
+std::optional<std::string> realize(const Plan& plan, const NounTable& lexicon, const Wording& wording, Rng rng) {
+  auto text = Realizer(plan, lexicon, wording, rng).text();
   for (const char* twice : {" that that ", " it in it", " it on it", " on it on "})  // right, and hard to read
     if (text && text->find(twice) != std::string::npos) return std::nullopt;
   return text;
