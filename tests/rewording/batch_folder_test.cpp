@@ -85,5 +85,22 @@ TEST(BatchFolder, IsNotTakenAwayByAnotherRunThatBeginsOrEndsAtTheSameTime) {
   EXPECT_GE(written[0] + written[1], kRounds) << "both were refused";
 }
 
+/// What one finds there, the other removes before it makes the next one in it.
+TEST(MadeFolders, AreMadeThoughAnotherRunRemovesThoseAbove) {
+  constexpr int kRounds = 3000;
+  const ScratchFolder folder;
+  const auto inner = folder.path() / "a" / "b" / "c" / "d";
+  std::barrier both(2);
+  const auto run = [&] {
+    both.arrive_and_wait();
+    for (int round = 0; round < kRounds; ++round) {
+      const auto made = MadeFolders::make(inner);
+      EXPECT_TRUE(made) << "round " << round << ": " << made.error().message;
+    }
+  };
+  { const std::jthread one(run), other(run); }
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
 }  // namespace
 }  // namespace unietp
