@@ -53,15 +53,15 @@ TEST(FolderLock, ASecondOneIsRefusedWithTheProcessThatHasIt) {
 }
 
 TEST(FolderLock, IsTakenThoughTheFoldersAboveAreRemovedMeanwhile) {
-  constexpr int kRounds = 2000;
+  constexpr int kRounds = 200;
   const ScratchFolder folder;
   const std::jthread remover([&](const std::stop_token& stop) {
     std::error_code code;
     while (!stop.stop_requested())
-      for (const char* name : {"a/b/c/d", "a/b/c", "a/b", "a"}) fs::remove(folder.at(name), code);
+      for (const char* name : {"a/b/c", "a/b", "a"}) fs::remove(folder.at(name), code);
   });
   for (int round = 0; round < kRounds; ++round) {
-    const auto lock = FolderLock::take(folder.at("a/b/c/d/data"));
+    const auto lock = FolderLock::take(folder.at("a/b/c/data"));
     ASSERT_TRUE(lock) << "round " << round << ": " << lock.error().message;
   }
 }
