@@ -19,31 +19,32 @@ bool speaks_of(const Formula& part, const std::string& placeholder) {
 }
 
 /// The placeholders for categories that the goal is about, with their templates, of what supports the simulator.
-struct Role {
+struct Placeholder {
   const Template& source;
   const Parameter& parameter;
 };
-std::vector<Role> roles_on(const Resources& resources, Simulator simulator) {
-  std::vector<Role> roles;
+std::vector<Placeholder> placeholders_on(const Resources& resources, Simulator simulator) {
+  std::vector<Placeholder> placeholders;
   for (const auto& source : resources.templates) {
     const auto& supported = source.simulators;
     if (std::find(supported.begin(), supported.end(), simulator) == supported.end()) continue;
     for (const auto& parameter : source.parameters) {
       if (!is_value(parameter) && !is_room(parameter) && speaks_of(source.goal, parameter.name))
-        roles.push_back({source, parameter});
+        placeholders.push_back({source, parameter});
     }
   }
-  return roles;
+  return placeholders;
 }
 
-bool is_usual(const Role& role, const std::string& category, const Resources& resources, Simulator simulator) {
+bool is_usual(const Placeholder& placeholder, const std::string& category, const Resources& resources,
+              Simulator simulator) {
   const BindingWishes wishes{
-      {{role.parameter.name, category}}, {}, at_least(Grade::Usual, role.source, resources, simulator)};
-  return sample_binding(role.source, resources.backend(simulator).knowledge, {}, wishes, Rng(0)).has_value();
+      {{placeholder.parameter.name, category}}, {}, at_least(Grade::Usual, placeholder.source, resources, simulator)};
+  return sample_binding(placeholder.source, resources.backend(simulator).knowledge, {}, wishes, Rng(0)).has_value();
 }
 
-std::vector<std::string> candidates_of(const Role& role, const Knowledge& knowledge) {
-  return candidates_for(role.parameter, role.source.constraints, {}, knowledge, nullptr);
+std::vector<std::string> candidates_of(const Placeholder& placeholder, const Knowledge& knowledge) {
+  return candidates_for(placeholder.parameter, placeholder.source.constraints, {}, knowledge, nullptr);
 }
 
 }  // namespace
@@ -51,9 +52,9 @@ std::vector<std::string> candidates_of(const Role& role, const Knowledge& knowle
 std::vector<std::string> categories_with_usual_goals(const Resources& resources, Simulator simulator) {
   const auto& knowledge = resources.backend(simulator).knowledge;
   std::set<std::string> usual;
-  for (const Role& role : roles_on(resources, simulator)) {
-    for (const auto& name : candidates_of(role, knowledge)) {
-      if (!usual.contains(name) && is_usual(role, name, resources, simulator)) usual.insert(name);
+  for (const Placeholder& placeholder : placeholders_on(resources, simulator)) {
+    for (const auto& name : candidates_of(placeholder, knowledge)) {
+      if (!usual.contains(name) && is_usual(placeholder, name, resources, simulator)) usual.insert(name);
     }
   }
   std::vector<std::string> all;
@@ -66,11 +67,11 @@ std::vector<std::string> categories_with_usual_goals(const Resources& resources,
 std::vector<std::string> templates_with_usual_goals(const std::string& category, const Resources& resources,
                                                     Simulator simulator) {
   std::vector<std::string> names;
-  for (const Role& role : roles_on(resources, simulator)) {
-    if (!names.empty() && names.back() == role.source.name) continue;
-    const auto candidates = candidates_of(role, resources.backend(simulator).knowledge);
+  for (const Placeholder& placeholder : placeholders_on(resources, simulator)) {
+    if (!names.empty() && names.back() == placeholder.source.name) continue;
+    const auto candidates = candidates_of(placeholder, resources.backend(simulator).knowledge);
     if (std::find(candidates.begin(), candidates.end(), category) == candidates.end()) continue;
-    if (is_usual(role, category, resources, simulator)) names.push_back(role.source.name);
+    if (is_usual(placeholder, category, resources, simulator)) names.push_back(placeholder.source.name);
   }
   return names;
 }
