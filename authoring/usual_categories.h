@@ -12,4 +12,8 @@ namespace unietp {
 /// run tries. Deterministic. Takes about a minute for all simulators.
 std::vector<std::string> categories_with_usual_goals(const Resources& resources, Simulator simulator);
 
+/// The templates that can be about a category with a goal that makes usual sense; in the order of the library.
+std::vector<std::string> templates_with_usual_goals(const std::string& category, const Resources& resources,
+                                                    Simulator simulator);
+
 }  // namespace unietp
