@@ -230,9 +230,13 @@ bool ends_with_needs(const std::string& text, const NounTable& lexicon) {
 bool add_style_frame(std::string& text, const Specification& specification, Style style, const TextChecker& judge,
                      const Knowledge& knowledge, const NounTable& lexicon, Rng& rng) {
   std::vector<std::string> sentences;
+  // "Something to dry off with" is clear without "I'm about to take a shower.", too.
+  const auto stands_alone = [&](const std::string& need) {
+    return style != Style::Context && lexicon.phrases().contains(need);
+  };
   for (const auto& [key, phrase] : lexicon.phrases())
     if (phrase.use == AliasKind::Occasion && ranges_over(specification.goal, phrase.noun) &&
-        text.find(phrase.need) != std::string::npos)
+        text.find(phrase.need) != std::string::npos && !stands_alone(phrase.need))
       sentences.push_back(phrase.text);
   if (!sentences.empty() || style == Style::Context) {
     std::erase_if(sentences, [&](const std::string& said) { return !can_be_said(said, judge.start(), lexicon); });
