@@ -230,9 +230,13 @@ bool ends_with_needs(const std::string& text, const NounTable& lexicon) {
 bool add_style_frame(std::string& text, const Specification& specification, Style style, const TextChecker& judge,
                      const Knowledge& knowledge, const NounTable& lexicon, Rng& rng) {
   std::vector<std::string> sentences;
+  // "Something to dry off with" is clear without "I'm about to take a shower.", too.
+  const auto stands_alone = [&](const std::string& need) {
+    return style != Style::Context && lexicon.phrases().contains(need);
+  };
   for (const auto& [key, phrase] : lexicon.phrases())
     if (phrase.use == AliasKind::Occasion && ranges_over(specification.goal, phrase.noun) &&
-        text.find(phrase.need) != std::string::npos)
+        text.find(phrase.need) != std::string::npos && !stands_alone(phrase.need))
       sentences.push_back(phrase.text);
   if (!sentences.empty() || style == Style::Context) {
     std::erase_if(sentences, [&](const std::string& said) { return !can_be_said(said, judge.start(), lexicon); });
@@ -360,7 +364,7 @@ class Writer {
     // "Put it where we wash our hands and close it."
     if (plain && text.find(" it", where) != text.npos) return std::nullopt;
     if (!sounds_right(text) || !ends_with_needs(text, nouns_)) return std::nullopt;
-    if (is_everyday()) text = with_room_tables(with_tops(std::move(text), nouns_));
+    if (is_everyday()) text = with_one_of(with_room_tables(with_tops(std::move(text), nouns_)), nouns_);
     // Nobody is asked to close "the place where we wash our hands".
     if (text.find(" the place where ") != text.npos || text.find(" the spot where ") != text.npos) return std::nullopt;
     if (!judge_.reads_back(text) || !style_fault(text, style, specification_.goal, options_.around, nouns_).empty())

@@ -82,9 +82,11 @@ bool is_put_away(const GoalVariable& variable, const Specification& plain, const
 }
 
 /// Whether a thing is got ready, switched on or brought: who says what they are up to does not want what they need for
-/// it filled, emptied, heated or cut.
+/// it filled, emptied, heated or cut, nor washed and held on to.
 bool is_got_ready(const GoalVariable& variable, const Specification& plain) {
   const auto asked = predicates_of(plain.goal, variable.variable);
+  const bool held = std::find(asked.begin(), asked.end(), Predicate::Held) != asked.end();
+  if (held && asked.size() > 1) return false;
   return std::all_of(asked.begin(), asked.end(), [](Predicate predicate) {
     return predicate == Predicate::Held || predicate == Predicate::On || predicate == Predicate::InRoom ||
            predicate == Predicate::Inside || predicate == Predicate::OnFloor || predicate == Predicate::Clean ||
