@@ -64,6 +64,22 @@ std::vector<std::string> categories_with_usual_goals(const Resources& resources,
   return all;
 }
 
+std::map<std::string, std::vector<std::string>> templates_of_one_category(const Resources& resources,
+                                                                          Simulator simulator) {
+  const auto& knowledge = resources.backend(simulator).knowledge;
+  std::map<std::string, std::vector<std::string>> of_one;
+  for (const Placeholder& placeholder : placeholders_on(resources, simulator)) {
+    std::vector<std::string> usual;
+    for (const auto& name : candidates_of(placeholder, knowledge)) {
+      if (usual.size() < 2 && is_usual(placeholder, name, resources, simulator)) usual.push_back(name);
+    }
+    if (usual.size() != 1 || !knowledge.find(usual.front())->movable) continue;
+    auto& names = of_one[usual.front()];
+    if (names.empty() || names.back() != placeholder.source.name) names.push_back(placeholder.source.name);
+  }
+  return of_one;
+}
+
 std::vector<std::string> templates_with_usual_goals(const std::string& category, const Resources& resources,
                                                     Simulator simulator) {
   std::vector<std::string> names;

@@ -166,9 +166,27 @@ std::string usual_text(const std::vector<std::pair<std::string, std::vector<Usua
       if (!one.missing.empty()) text += "    not: " + join(one.missing, " ") + "\n";
       if (!one.common.empty()) text += "    common in homes, in no goal:\n";
       for (const CommonUnused& unused : one.common) text += "      " + reason_text(unused) + "\n";
+      if (!one.sole.empty()) text += "    the only thing that some templates can be about:\n";
+      for (const SoleCategory& only : one.sole) {
+        const auto share = [&](int part) {
+          return percent_text(only.all == 0 ? 0 : static_cast<double>(part) / only.all);
+        };
+        text += "      " + only.category + ": " + share(only.tasks) + " of the tasks are of these templates, " +
+                share(only.named) + " name it (" + join(only.templates, ", ") + ")\n";
+      }
     }
   }
   return text;
+}
+
+/// How many tasks of the set are of the templates.
+int tasks_of(const std::vector<std::string>& templates, const GoalThings& things) {
+  int tasks = 0;
+  for (const std::string& name : templates) {
+    const auto made = things.templates.find(name);
+    tasks += made == things.templates.end() ? 0 : made->second;
+  }
+  return tasks;
 }
 
 std::vector<CommonUnused> common_unused_of(const GoalThings& things, const Resources& resources) {
@@ -177,10 +195,7 @@ std::vector<CommonUnused> common_unused_of(const GoalThings& things, const Resou
     CommonUnused& one = all.emplace_back();
     one.category = category;
     one.templates = templates_with_usual_goals(category, resources, *simulator_named(things.simulator));
-    for (const std::string& name : one.templates) {
-      const auto made = things.templates.find(name);
-      one.tasks += made == things.templates.end() ? 0 : made->second;
-    }
+    one.tasks = tasks_of(one.templates, things);
   }
   return all;
 }
@@ -193,8 +208,11 @@ Exit usual_stats(const StatsOptions& options, const CommandLine& program) {
   std::vector<const Knowledge*> knowledge;
   for (const auto simulator : kSimulators) knowledge.push_back(&resources.backend(simulator).knowledge);
   std::map<std::string, std::vector<std::string>> usual;
-  for (const auto simulator : kSimulators)
+  std::map<std::string, std::map<std::string, std::vector<std::string>>> of_one;
+  for (const auto simulator : kSimulators) {
     usual[std::string(name_of(simulator))] = categories_with_usual_goals(resources, simulator);
+    of_one[std::string(name_of(simulator))] = templates_of_one_category(resources, simulator);
+  }
   std::vector<std::pair<std::string, std::vector<UsualCoverage>>> sets;
   for (const auto& folder : options.folders) {
     const auto set = read_finished_set(folder);
@@ -204,7 +222,12 @@ Exit usual_stats(const StatsOptions& options, const CommandLine& program) {
     auto& of_set = sets.emplace_back(statistics->name, std::vector<UsualCoverage>{}).second;
     for (const GoalThings& things : statistics->things) {
       const auto& all = usual[things.simulator];
-      of_set.push_back({things.simulator, all.size(), {}, common_unused_of(things, resources)});
+      of_set.push_back({things.simulator, all.size(), {}, common_unused_of(things, resources), {}});
+      for (const auto& [category, templates] : of_one[things.simulator]) {
+        const auto named = things.categories.find(category);
+        of_set.back().sole.push_back({category, templates, tasks_of(templates, things),
+                                      named == things.categories.end() ? 0 : named->second, things.tasks});
+      }
       std::copy_if(all.begin(), all.end(), std::back_inserter(of_set.back().missing),
                    [&](const std::string& name) { return !things.named.contains(name); });
     }
