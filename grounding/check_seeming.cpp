@@ -11,7 +11,6 @@ namespace unietp {
 namespace {
 
 using Op = Formula::Op;
-using Scope = std::vector<std::pair<std::string, Domain>>;
 
 class SeemingRelations {
  public:
@@ -87,7 +86,7 @@ class SeemingRelations {
 
   const Trace& trace_;
   const Knowledge& knowledge_;
-  Scope scope_;
+  std::vector<std::pair<std::string, Domain>> scope_;  // bound variables, innermost last
   std::optional<GroundingFailure> found_;
 };
 
