@@ -86,7 +86,7 @@ class SeemingRelations {
 
   const Trace& trace_;
   const Knowledge& knowledge_;
-  std::vector<std::pair<std::string, Domain>> scope_;  // innermost last
+  std::vector<std::pair<std::string, Domain>> scope_;  // bound variables, innermost last
   std::optional<GroundingFailure> found_;
 };
 
