@@ -97,19 +97,19 @@ TEST(Viewer, DrawsTheWallsBeforeBoardsThatStandOutOfTheirObject) {
   scene.nodes = {};
   scene.agent.position = {1.5, 2};
   scene.agent.yaw = scene.agent.pitch = 0;
-  const auto add_box = [&](const char* id, double ahead, double aside, double side) {
+  const auto add_box = [&](const char* id, double ahead, double aside, double side, bool arm) {
     Node box;
     box.id = id;
     box.category = "Signal";
     box.archetype = Archetype::Box;
     box.size = Vec3::Constant(side);
     box.boards = {{Vec3::Zero(), box.size}};
+    if (arm) box.boards.push_back({{7, 0, 0}, {0.1, 4, 4}});
     box.pose.position = {1.5 + ahead, 2 + aside, profile.camera_height_m};
     scene.nodes.push_back(std::move(box));
   };
-  add_box("signal", 0.4, 0, 0.05);
-  add_box("shelf", 3, 0.5, 0.2);
-  scene.nodes.front().boards.push_back({{7, 0, 0}, {0.1, 4, 4}});
+  add_box("signal", 0.4, 0, 0.05, true);
+  add_box("shelf", 3, 0.5, 0.2, false);
   Rays rays;
   const auto by_rays = testing::pixels_by_rays(segmentation_of(scene, profile, rays), scene.nodes.size());
   Viewer viewer(scene);

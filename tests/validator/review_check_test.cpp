@@ -58,8 +58,8 @@ class Reviewed : public ::testing::Test {
 TEST_F(Reviewed, EachEditAndRejectionHasItsLine) {
   EXPECT_THAT(found(edit_ + removal_), IsEmpty());
   EXPECT_THAT(found(mark(0, "accept") + edit_ + removal_), IsEmpty()) << "what people say of other tasks is theirs";
-  EXPECT_THAT(found(removal_), ElementsAre(HasSubstr("lacks the edit of habitat-00001")));
-  EXPECT_THAT(found(edit_), ElementsAre(HasSubstr("lacks the decision to take out habitat-00004")));
+  EXPECT_THAT(found(removal_), ElementsAre(HasSubstr("lacks the edit of habitat-00002")));
+  EXPECT_THAT(found(edit_), ElementsAre(HasSubstr("lacks the decision to take out habitat-00005")));
 }
 TEST_F(Reviewed, TheFileMayBeMissingOnlyWhenNothingWasDecided) {
   EXPECT_THAT(found(), ElementsAre(HasSubstr("lacks the edit"), HasSubstr("lacks the decision")));
@@ -67,13 +67,13 @@ TEST_F(Reviewed, TheFileMayBeMissingOnlyWhenNothingWasDecided) {
 TEST_F(Reviewed, AnEditIsOfATextByAPerson) {
   const std::string other = mark(2, "edit", "Open a fridge.");
   EXPECT_THAT(found(edit_ + other + removal_),
-              ElementsAre(HasSubstr("the instruction of habitat-00002 is not by a person")));
+              ElementsAre(HasSubstr("the instruction of habitat-00003 is not by a person")));
   manifest_.writing.emplace();  // texts were written again after the review
   EXPECT_THAT(found(edit_ + other + removal_), IsEmpty());
 }
 TEST_F(Reviewed, AnEditHasTheFormerTextAndNothingElseHas) {
   EXPECT_THAT(found(mark(1, "edit", "Open the fridge.") + removal_),
-              ElementsAre(HasSubstr("has the present text of habitat-00001")));
+              ElementsAre(HasSubstr("has the present text of habitat-00002")));
   EXPECT_THAT(found(mark(0, "accept", "Open a fridge.") + edit_ + removal_),
               ElementsAre(HasSubstr("must have the former text for an edit")));
 }
