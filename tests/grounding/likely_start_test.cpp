@@ -235,6 +235,18 @@ TEST(Household, SaysWhichRoomsSuitThings) {
   EXPECT_FALSE(household.keeps("plate", "breakfast_table", "bathroom"));
 }
 
+TEST(Household, KnowsInWhichRoomsHomesHaveThings) {
+  const auto style = style_of(Simulator::Habitat);
+  ASSERT_TRUE(style);
+  const Household& household = *style->recipe.household;
+  EXPECT_TRUE(household.is_found_in("spoon", "kitchen"));
+  EXPECT_FALSE(household.is_found_in("spoon", "living_room"));
+  EXPECT_GE(household.in_room("spoon", "living_room"), Household::kNoRoom) << "though it may be there";
+  EXPECT_TRUE(household.is_found_in("clothes", "bathroom")) << "real homes have them there";
+  EXPECT_TRUE(household.is_found_in("platter", "dining_room")) << "no real home has it, and it is usual there";
+  EXPECT_TRUE(household.is_found_in("no such category", "kitchen"));
+}
+
 TEST(Household, KeepsNothingWhereThingsAreOnlyHeated) {
   const auto style = style_of(Simulator::Behavior);
   ASSERT_TRUE(style);
