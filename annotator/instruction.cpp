@@ -177,12 +177,13 @@ std::string american(std::string text) {
 }
 
 /// "Fill something to drink from with water", "put something to read on on the bed", "grab me it",
-/// "pick up something to dry them with", "wash something to cover up with".
+/// "pick up something to dry them with", "wash something to cover up with", which who needs it now does not want wet.
 bool sounds_right(const std::string& text) {
   constexpr std::array kNever{" from with ", " with with ",    " in with ", " on with ", " on on ",
                               " on in ",     " in in ",        " in on ",   " with on ", " with in ",
                               " me it.",     " on something ", " at first"};
-  constexpr std::array kNeverNeeded{"ick up something ", "ash something to cover ", "lean something to cover "};
+  constexpr std::array kNeverNeeded{"ick up something ", "ash something to cover ", "lean something to cover ",
+                                    "ash something to dry ", "lean something to dry "};
   // "… put the taco on the table. Put the plum on it.": on the taco?
   std::size_t from = 0;
   bool placed = false;
