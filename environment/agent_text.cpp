@@ -129,6 +129,15 @@ std::string became(bool success, const std::string& feedback) {
   return success ? "succeeded" : feedback.empty() ? "failed" : "failed. " + feedback;
 }
 
+/// Numbers as JSON has them: [1,2,3,4]
+std::string list_of(const PixelBox& box) {
+  std::string text = "[";
+  for (const int side : box) (text += std::to_string(side)) += ',';
+  text.back() = ']';
+  return text;
+}
+std::string list_of(const std::vector<double>& numbers) { return nlohmann::ordered_json(numbers).dump(); }
+
 /// "id numbers; id numbers"
 template <class Numbers>
 std::string objects_in_view(const std::vector<std::pair<std::string, Numbers>>& things) {
@@ -136,7 +145,7 @@ std::string objects_in_view(const std::vector<std::pair<std::string, Numbers>>& 
   std::string text = "In view:";
   for (const auto& [id, numbers] : things) {
     text += text.back() == ':' ? " " : "; ";
-    text += id + " " + nlohmann::ordered_json(numbers).dump();
+    text += id + " " + list_of(numbers);
   }
   return text + ".";
 }

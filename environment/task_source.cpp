@@ -179,7 +179,10 @@ Result<SharedTask> TaskSource::task(std::string_view id) const {
                "the data set has no task " + in_quotes(id) + (near.empty() ? "" : ", did you mean " + near + "?")};
 }
 
-Result<DemonstrationRecord> TaskSource::demonstration(std::size_t position, Mode mode) const {
+template <class Record>
+Result<Record> TaskSource::shown(std::size_t position, Mode mode,
+                                 Result<Record> (*read)(std::string_view where, int line,
+                                                        std::string_view text)) const {
   if (position >= size())
     return Error{
         Error::Kind::Usage, impl_->tasks.name(), {}, "the data set has no task at " + std::to_string(position)};
@@ -192,13 +195,23 @@ Result<DemonstrationRecord> TaskSource::demonstration(std::size_t position, Mode
                  "the data set has no demonstration of " + id + " in " + std::string(name_of(mode))};
   const auto line = lines->line(position);
   if (!line) return line.error();
-  auto shown = read_demonstration(lines->name(), line->number, line->text);
+  auto shown = read(lines->name(), line->number, line->text);
   if (shown && shown->task != id)
     return Error{Error::Kind::Schema,
                  lines->name() + ":" + std::to_string(line->number),
                  {},
                  "expected the demonstration of " + id + ", not of " + shown->task};
   return shown;
+}
+
+Result<DemonstrationRecord> TaskSource::demonstration(std::size_t position, Mode mode) const {
+  return shown(position, mode, &read_demonstration);
+}
+
+Result<std::vector<Command>> TaskSource::demonstrated_plan(std::size_t position, Mode mode) const {
+  auto plan = shown(position, mode, &read_demonstrated_plan);
+  if (!plan) return plan.error();
+  return std::move(plan->commands);
 }
 
 std::vector<std::size_t> TaskSource::order(std::uint64_t seed) const {

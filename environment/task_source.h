@@ -53,6 +53,8 @@ class TaskSource {
   Result<SharedTask> task(std::string_view id) const;
   /// The stored demonstration of a task. Errors: Usage when the data set has none in that mode; Parse and Schema.
   Result<DemonstrationRecord> demonstration(std::size_t position, Mode mode) const;
+  /// Its commands alone, sooner. Errors: as above.
+  Result<std::vector<Command>> demonstrated_plan(std::size_t position, Mode mode) const;
   /// The modes that the data set has demonstrations of.
   const std::vector<Mode>& modes() const;
 
@@ -60,6 +62,10 @@ class TaskSource {
   std::vector<std::size_t> order(std::uint64_t seed) const;
 
  private:
+  template <class Record>
+  Result<Record> shown(std::size_t position, Mode mode,
+                       Result<Record> (*read)(std::string_view where, int line, std::string_view text)) const;
+
   struct Impl;
   std::shared_ptr<Impl> impl_;  // shared by copies: has a mutex and caches
 };

@@ -52,11 +52,11 @@ class ScriptPolicy : public Policy {
     next_ = 0;
     if (policy_.kind == BuiltInPolicy::Kind::Stop) return std::nullopt;
     if (policy_.kind == BuiltInPolicy::Kind::Expert) return plan_anew(*start.task(), episode.key.mode);
-    const auto shown = tasks_.demonstration(episode.position, episode.key.mode);
+    const auto shown = tasks_.demonstrated_plan(episode.position, episode.key.mode);
     if (!shown) return NoReply{EpisodeErrorKind::Policy, format(shown.error())};
     Rng rng = episode_rng(seed_, episode.key);
-    for (const StepRecord& step : shown->steps) {
-      if (policy_.kind != BuiltInPolicy::Kind::Noisy || !rng.chance(policy_.noise)) commands_.push_back(step.command);
+    for (const Command& command : *shown) {
+      if (policy_.kind != BuiltInPolicy::Kind::Noisy || !rng.chance(policy_.noise)) commands_.push_back(command);
     }
     return std::nullopt;
   }

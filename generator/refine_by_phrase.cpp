@@ -145,7 +145,8 @@ std::optional<Specification> refine_by_phrase(const Specification& plain, const 
       continue;
     const auto asked = predicates_of(plain.goal, variable.variable);
     const bool held = std::find(asked.begin(), asked.end(), Predicate::Held) != asked.end();
-    if (style == Style::Hypernym && held) continue;  // "pick up a piece of clothing"
+    if (style == Style::Hypernym && held) continue;                     // "pick up a piece of clothing"
+    if (style == Style::Context && held && asked.size() > 1) continue;  // "wash something to eat it with and hold it"
     if (any_kind && !may_be_any_kind(variable, plain, knowledge, offer.uses)) continue;
     const auto* category = knowledge.find(variable.category);
     if (category != nullptr && (category->movable || style != Style::Function)) choices.push_back(variable.category);

@@ -1,3 +1,5 @@
+#include <array>
+
 #include <nlohmann/json.hpp>
 
 #include "record/record_fields.h"
@@ -109,6 +111,19 @@ Result<DemonstrationRecord> read_demonstration(std::string_view where, int line,
   });
   if (!read) return read.error();
   return demonstration;
+}
+
+Result<DemonstratedPlan> read_demonstrated_plan(std::string_view where, int line, std::string_view text) {
+  static constexpr std::array<std::string_view, 11> kLeftOut{"mode",    "shortest", "tempting", "success",
+                                                             "failure", "feedback", "visible",  "changes",
+                                                             "moments", "search",   "tidying"};
+  DemonstratedPlan plan;
+  const auto read = [&](JsonReader& reader, JsonFields& fields) {
+    if (const auto f = fields.required("task")) plan.task = reader.plain_name(*f);
+    if (const auto f = fields.required("steps")) plan.commands = read_plan(reader, *f);
+  };
+  if (auto done = read_line(where, line, text, "unietp-demonstration/1", read, kLeftOut); !done) return done.error();
+  return plan;
 }
 
 }  // namespace unietp

@@ -19,8 +19,9 @@ void read_format(JsonReader& reader, JsonFields& fields, std::string_view expect
   }
 }
 
-Result<Json> parse_json_line(std::string_view where, int line, std::string_view text) {
-  auto json = parse_json(where, text);
+Result<Json> parse_json_line(std::string_view where, int line, std::string_view text,
+                             std::span<const std::string_view> left_out) {
+  auto json = parse_json_without(left_out, where, text);
   if (json) return json;
   Error error = json.error();
   error.pos = {line, error.pos.column > 0 ? error.pos.column : 1};
@@ -63,8 +64,9 @@ std::uint64_t read_seed(JsonReader& reader, const JsonAt& at) {
 }
 
 Result<Done> read_line(std::string_view where, int line, std::string_view text, std::string_view format,
-                       const std::function<void(JsonReader&, JsonFields&)>& read) {
-  const auto json = parse_json_line(where, line, text);
+                       const std::function<void(JsonReader&, JsonFields&)>& read,
+                       std::span<const std::string_view> left_out) {
+  const auto json = parse_json_line(where, line, text, left_out);
   if (!json) return json.error();
   const auto name = std::string(where) + ":" + std::to_string(line);  // "tasks.jsonl:3"
   JsonReader reader(name);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -15,13 +16,16 @@
 
 namespace unietp {
 
-/// One line of a JSON-lines file; the position of a syntax error is that in the file. Errors: Parse.
-Result<nlohmann::ordered_json> parse_json_line(std::string_view where, int line, std::string_view text);
+/// One line of a JSON-lines file, without the fields of the names in `left_out`; the position of a syntax error is that
+/// in the file. Errors: Parse.
+Result<nlohmann::ordered_json> parse_json_line(std::string_view where, int line, std::string_view text,
+                                               std::span<const std::string_view> left_out = {});
 
-/// Reads a line that is an object of this format: `read` takes the other fields, and unknown fields are errors. Errors:
-/// Parse, Schema.
+/// Reads a line that is an object of this format: `read` takes the other fields but those of the names in `left_out`,
+/// and unknown fields are errors. Errors: Parse, Schema.
 Result<Done> read_line(std::string_view where, int line, std::string_view text, std::string_view format,
-                       const std::function<void(JsonReader&, JsonFields&)>& read);
+                       const std::function<void(JsonReader&, JsonFields&)>& read,
+                       std::span<const std::string_view> left_out = {});
 
 /// Read fields of records. Errors go to the reader.
 void read_format(JsonReader& reader, JsonFields& fields, std::string_view expected);

@@ -158,7 +158,7 @@ bool rooms_suit(const Formula& goal, const Layout& layout, const Household& hous
     const std::string& type = home.scene.rooms[static_cast<std::size_t>(room)].type;
     const std::string& place = home.scene.nodes[node].category;
     return is_usual_room_of(place, type, knowledge) && household.keeps(category, place, type) &&
-           (!household.passes(place) || household.is_usual_in(category, type));
+           household.is_usual_in(category, type);
   };
   for (const auto& [category, places] : goal_places(goal)) {
     for (const std::string& place : places) {

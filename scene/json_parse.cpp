@@ -33,15 +33,16 @@ std::string reason_of(std::string_view what) {
 /// copies the values of an object whenever its list of fields grows.
 class Builder {
  public:
-  Builder(std::string_view where, std::string_view text, std::size_t max_fields)
-      : where_(where), text_(text), max_fields_(max_fields) {}
+  Builder(std::string_view where, std::string_view text, std::size_t max_fields,
+          std::span<const std::string_view> left_out)
+      : where_(where), text_(text), max_fields_(max_fields), left_out_(left_out) {}
 
-  bool null() { return add(Json()); }
-  bool boolean(bool value) { return add(Json(value)); }
-  bool number_integer(std::int64_t value) { return add(Json(value)); }
-  bool number_unsigned(std::uint64_t value) { return add(Json(value)); }
-  bool number_float(double value, const std::string&) { return add(Json(value)); }
-  bool string(std::string& value) { return add(Json(std::move(value))); }
+  bool null() { return add(nullptr); }
+  bool boolean(bool value) { return add(value); }
+  bool number_integer(std::int64_t value) { return add(value); }
+  bool number_unsigned(std::uint64_t value) { return add(value); }
+  bool number_float(double value, const std::string&) { return add(value); }
+  bool string(std::string& value) { return add(std::move(value)); }
   bool binary(Json::binary_t&) { return false; }
   bool start_object(std::size_t) { return open(Json::object()); }
   bool start_array(std::size_t) { return open(Json::array()); }
@@ -49,6 +50,11 @@ class Builder {
   bool end_array() { return close(); }
 
   bool key(std::string& name) {
+    if (unkept_depth_ > 0) return true;
+    if (std::find(left_out_.begin(), left_out_.end(), name) != left_out_.end()) {
+      next_is_unkept_ = true;
+      return true;
+    }
     const auto& fields = *stack_.back()->get_ptr<const Json::object_t*>();
     if (fields.size() == max_fields_) {
       return fail("more than " + std::to_string(max_fields_) + " fields in one object");
@@ -83,13 +89,19 @@ class Builder {
     return !names.insert(name).second;
   }
 
-  bool add(Json value) {
+  template <class Value>
+  bool add(Value&& value) {
+    if (unkept_depth_ > 0 || std::exchange(next_is_unkept_, false)) return true;
     if (values_ == limits::kJsonValues) return too_many();
-    put(std::move(value));
+    put(Json(std::forward<Value>(value)));
     return true;
   }
 
   bool open(Json value) {
+    if (unkept_depth_ > 0 || std::exchange(next_is_unkept_, false)) {
+      ++unkept_depth_;
+      return true;
+    }
     if (stack_.size() == std::size_t{limits::kJsonDepth})
       return fail("nested deeper than " + std::to_string(limits::kJsonDepth) + " levels");
     if (values_ == limits::kJsonValues) return too_many();
@@ -106,6 +118,10 @@ class Builder {
   }
 
   bool close() {
+    if (unkept_depth_ > 0) {
+      --unkept_depth_;
+      return true;
+    }
     if (names_.size() == stack_.size()) names_.pop_back();
     stack_.pop_back();
     return true;
@@ -145,6 +161,9 @@ class Builder {
 
   std::string_view where_, text_;
   std::size_t max_fields_;
+  std::span<const std::string_view> left_out_;  // names of fields
+  bool next_is_unkept_ = false;                 // the value that comes now is of such a field
+  std::size_t unkept_depth_ = 0;                // open arrays and objects of such a field
   std::size_t values_ = 0;
   Json root_;
   std::vector<Json*> stack_;  // the open arrays and objects; only the innermost one grows, so the others stay in place
@@ -153,12 +172,20 @@ class Builder {
   std::optional<Error> error_;
 };
 
+Result<Json> built(Builder builder, std::string_view text) {
+  const bool complete = Json::sax_parse(text.data(), text.data() + text.size(), &builder);
+  return builder.result(complete);
+}
+
 }  // namespace
 
 Result<Json> parse_json(std::string_view where, std::string_view text, std::size_t max_fields) {
-  Builder builder(where, text, max_fields);
-  const bool complete = Json::sax_parse(text.data(), text.data() + text.size(), &builder);
-  return builder.result(complete);
+  return built(Builder(where, text, max_fields, {}), text);
+}
+
+Result<Json> parse_json_without(std::span<const std::string_view> names, std::string_view where,
+                                std::string_view text) {
+  return built(Builder(where, text, limits::kJsonFields, names), text);
 }
 
 }  // namespace unietp

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -18,5 +19,9 @@ namespace unietp {
 /// Errors: Parse with line and column; Schema with a JSON pointer for a repeated field or a broken limit.
 Result<nlohmann::ordered_json> parse_json(std::string_view where, std::string_view text,
                                           std::size_t max_fields = limits::kJsonFields);
+
+/// The same without the fields of these names, in whichever object: of those only the syntax is checked.
+Result<nlohmann::ordered_json> parse_json_without(std::span<const std::string_view> names, std::string_view where,
+                                                  std::string_view text);
 
 }  // namespace unietp

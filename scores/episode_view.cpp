@@ -80,15 +80,13 @@ std::string view_picture(const Environment& environment, int width) {
 }
 
 Json episode_view(const EpisodeRecord& record, const ReplayedEpisode& replayed, const EnvironmentTask& task,
-                  const DemonstrationRecord* expert, const EpisodePictures& pictures) {
+                  const std::vector<Command>& expert, const EpisodePictures& pictures) {
   Json goal = Json::array(), parts = Json::array(), steps = Json::array(), way = Json::array(), images = Json::array();
   for (const ProseLine& line : goal_prose(task.goal)) goal.push_back({line.depth, line.text});
   for (const ScoredPart& part : replayed.parts) parts.push_back({name_of(part.kind), part_text(part)});
   for (std::size_t i = 0; i < replayed.steps.size(); ++i)
     steps.push_back(step_view(record.steps[i], replayed.steps[i], !pictures.empty()));
-  if (expert != nullptr) {
-    for (const StepRecord& step : expert->steps) way.push_back(to_text(step.command));
-  }
+  for (const Command& command : expert) way.push_back(to_text(command));
   for (const std::string& png : pictures) images.push_back(base64(png));
   const Profile& camera = *task.data.profile;
   Json json{{"instruction", task.text.instruction},

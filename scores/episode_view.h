@@ -19,9 +19,9 @@ std::string view_picture(const Environment& environment, int width);
 
 /// An episode as the report's viewer plays it (assets/evaluation.js), without its score: what is known of its task,
 /// each reply with what was seen, said, done and told, which parts of the goal were met after each action, and the
-/// expert's way in the same mode (`expert` may be null). Long texts are cut.
+/// expert's way in the same mode (`expert`; may be empty). Long texts are cut.
 nlohmann::ordered_json episode_view(const EpisodeRecord& record, const ReplayedEpisode& replayed,
-                                    const EnvironmentTask& task, const DemonstrationRecord* expert,
+                                    const EnvironmentTask& task, const std::vector<Command>& expert,
                                     const EpisodePictures& pictures);
 
 }  // namespace unietp

@@ -5,21 +5,20 @@
 namespace unietp {
 namespace {
 
-/// The stored demonstration in a mode, if there is one.
-std::optional<DemonstrationRecord> expert_way(const TaskSource& tasks, const EpisodeKey& key) {
+/// What the stored demonstration in the mode does; empty where there is none.
+std::vector<Command> expert_way(const TaskSource& tasks, const EpisodeKey& key) {
   const auto position = tasks.find(key.task);
-  if (!position) return std::nullopt;
-  auto shown = tasks.demonstration(*position, key.mode);
-  return shown ? std::optional(std::move(*shown)) : std::nullopt;
+  if (!position) return {};
+  auto plan = tasks.demonstrated_plan(*position, key.mode);
+  return plan ? std::move(*plan) : std::vector<Command>();
 }
 
 }  // namespace
 
 JudgedEpisode judge_episode(const EpisodeRecord& record, const ReplayedEpisode& replayed, const EnvironmentTask& task,
                             const JudgingData& data, const EpisodePictures& pictures) {
-  const auto expert = expert_way(data.tasks, record.key);
   return {score_episode(record, replayed, task, data.held_out.contains(task.text.template_name)),
-          episode_view(record, replayed, task, expert ? &*expert : nullptr, pictures)
+          episode_view(record, replayed, task, expert_way(data.tasks, record.key), pictures)
               .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)};
 }
 

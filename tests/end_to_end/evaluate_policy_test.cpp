@@ -64,12 +64,12 @@ TEST(EvaluatePolicy, WithoutAPlanOfTheExpertAnEpisodeIsErrored) {
   EXPECT_THAT(episodes[1]["error"]["message"].get<std::string>(), HasSubstr("the expert has no plan: not-in-m3"));
 }
 
-/// Tasks of few actions in M3.
+/// Tasks of few actions.
 const fs::path& short_tasks() {
   static const ScratchFolder kScratch;
   static const fs::path kFolder = [] {
     const auto ended = run_program({"generate", "--count", "12", "--seed", "27", "--rooms", "5", "--objects", "10",
-                                    "--splits", "atomic", "--modes", "M1,M3", "--out", kScratch.at("short")});
+                                    "--splits", "atomic", "--modes", "M1,M2,M3", "--out", kScratch.at("short")});
     EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
     return fs::path(kScratch.at("short"));
   }();
@@ -97,40 +97,28 @@ struct NoisyTasks {
   std::vector<double> chances;
 };
 
-/// Those of all splits in whose demonstrations each action is needed, so that one of n actions and `stop` succeeds with
-/// chance (1 - P)^n. What a search in M2 finds may have been in view before, so that those are left out.
-NoisyTasks tasks_without_search(const std::string& mode, double kept) {
-  NoisyTasks noisy{tasks_of_all_splits(), {}, {}};
-  for (const Json& shown : json_lines(noisy.folder / "demonstrations" / (mode + ".jsonl"))) {
-    const bool searches = std::any_of(shown["steps"].begin(), shown["steps"].end(),
-                                      [](const Json& step) { return step["search"] == true; });
-    if (searches) continue;
-    noisy.tasks.push_back(shown["task"]);
-    noisy.chances.push_back(std::pow(kept, static_cast<double>(shown["steps"].size()) - 1));
-  }
-  return noisy;
-}
-
-/// In M3 nearly all search, and some looks are not needed: each choice of actions of short demonstrations is tried.
-NoisyTasks short_tasks_in_m3(double kept) {
+/// Not all actions of a demonstration are needed: some tidy up, some looks find nothing. So each choice of them is
+/// tried, in the tasks whose demonstrations are short enough for that.
+NoisyTasks noisy_tasks(Mode mode, double kept) {
   constexpr std::size_t kMostActions = 8;
   NoisyTasks noisy{short_tasks(), {}, {}};
   const TaskSource tasks = source(noisy.folder);
   for (std::size_t position = 0; position < tasks.size(); ++position) {
-    const auto shown = tasks.demonstration(position, Mode::M3);
+    const auto shown = tasks.demonstration(position, mode);
     EXPECT_TRUE(shown);
     if (!shown || shown->steps.size() > kMostActions + 1) continue;
     std::vector<Command> commands;
     for (const StepRecord& step : shown->steps) commands.push_back(step.command);
     commands.pop_back();  // `stop`
     noisy.tasks.push_back(shown->task);
-    noisy.chances.push_back(chance_of_success(environment_of(tasks, position, Mode::M3), commands, 0, kept));
+    noisy.chances.push_back(chance_of_success(environment_of(tasks, position, mode), commands, 0, kept));
   }
   return noisy;
 }
 
 struct NoiseCase {
-  std::string mode, noise;
+  Mode mode;
+  std::string noise;
 };
 class EvaluatePolicyNoise : public ::testing::TestWithParam<NoiseCase> {};
 
@@ -139,7 +127,7 @@ class EvaluatePolicyNoise : public ::testing::TestWithParam<NoiseCase> {};
 TEST_P(EvaluatePolicyNoise, SucceedsAsOftenAsTheClosedFormSays) {
   constexpr int kRepeats = 20;
   const double kept = 1 - std::stod(GetParam().noise);
-  const auto noisy = GetParam().mode == "M3" ? short_tasks_in_m3(kept) : tasks_without_search(GetParam().mode, kept);
+  const auto noisy = noisy_tasks(GetParam().mode, kept);
   const auto count = static_cast<double>(noisy.tasks.size());
   ASSERT_GE(count, 3);
   double mean = 0, variance = 0;
@@ -152,8 +140,8 @@ TEST_P(EvaluatePolicyNoise, SucceedsAsOftenAsTheClosedFormSays) {
   const ScratchFolder scratch;
   const auto ended =
       run_program({"evaluate", noisy.folder.string(), "--policy", "noisy:" + GetParam().noise, "--modes",
-                   GetParam().mode, "--tasks", join(noisy.tasks, ","), "--repeats", std::to_string(kRepeats), "--seed",
-                   "27", "--report-pictures", "0", "--out", scratch.at("run")});
+                   std::string(name_of(GetParam().mode)), "--tasks", join(noisy.tasks, ","), "--repeats",
+                   std::to_string(kRepeats), "--seed", "27", "--report-pictures", "0", "--out", scratch.at("run")});
   ASSERT_EQ(ended.code, 0) << ended.err;
   const Json all = Json::parse(*read_file(scratch.path() / "run/results.json"))["modes"][0]["all"];
   const double rate = all["success_rate"], low = all["interval"][0], high = all["interval"][1];
@@ -168,11 +156,13 @@ TEST_P(EvaluatePolicyNoise, SucceedsAsOftenAsTheClosedFormSays) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Modes, EvaluatePolicyNoise,
-                         ::testing::Values(NoiseCase{"M1", "0.05"}, NoiseCase{"M1", "0.1"}, NoiseCase{"M1", "0.2"},
-                                           NoiseCase{"M2", "0.05"}, NoiseCase{"M2", "0.1"}, NoiseCase{"M2", "0.2"},
-                                           NoiseCase{"M3", "0.05"}, NoiseCase{"M3", "0.1"}, NoiseCase{"M3", "0.2"}),
+                         ::testing::Values(NoiseCase{Mode::M1, "0.05"}, NoiseCase{Mode::M1, "0.1"},
+                                           NoiseCase{Mode::M1, "0.2"}, NoiseCase{Mode::M2, "0.05"},
+                                           NoiseCase{Mode::M2, "0.1"}, NoiseCase{Mode::M2, "0.2"},
+                                           NoiseCase{Mode::M3, "0.05"}, NoiseCase{Mode::M3, "0.1"},
+                                           NoiseCase{Mode::M3, "0.2"}),
                          [](const auto& one) {
-                           std::string name = one.param.mode + "With" + one.param.noise;
+                           std::string name = std::string(name_of(one.param.mode)) + "With" + one.param.noise;
                            std::replace(name.begin(), name.end(), '.', '_');
                            return name;
                          });

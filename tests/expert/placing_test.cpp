@@ -185,6 +185,21 @@ TEST_F(Placing, ShutsADoorThatBarsTheWayIntoARoom) {
   EXPECT_THAT(steps, HasSubstr("close(fridge_1)"));
 }
 
+/// The open door bars the way to the sink beside it, and another sink in the next room can be walked to.
+TEST_F(Placing, GoesToTheNearSinkThatAnOpenDoorBarsTheWayTo) {
+  Scene scene = behind_the_open_door(knowledge);
+  erase_if(scene.nodes, [](const Node& node) { return node.id == "countertop_2" || node.id == "apple_1"; });
+  add(scene, knowledge, "countertop_5", "CounterTop", 3.2, 0.5, 0).size = {0.5, 1.0, 0.9};
+  add(scene, knowledge, "sink_1", "Sink", 1.8, 3.6, 0);
+  add(scene, knowledge, "sink_2", "Sink", 7.0, 3.6, 0);
+  add(scene, knowledge, "mug_1", "Mug", 3.2, 3.55, 0.9);
+  set_state(scene, "mug_1", Predicate::Dirty);
+  const std::string steps = plan("(exists (?x - Mug) (at-end (clean ?x)))", at_rest(std::move(scene)));
+  EXPECT_THAT(steps, HasSubstr("close(fridge_1)"));
+  EXPECT_THAT(steps, HasSubstr("(sink_1)"));
+  EXPECT_THAT(steps, ::testing::Not(HasSubstr("(sink_2)")));
+}
+
 TEST_F(Placing, LetsAThingFallElsewhereInARoomThanWhereOneComesIn) {
   Scene scene = house_with({"mug_3"});
   erase_if(scene.nodes, [](const Node& node) { return node.id.starts_with("sidetable"); });

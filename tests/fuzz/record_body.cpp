@@ -30,6 +30,8 @@ bool demonstration_body(std::string_view text) {
     check_error(demonstration.error());
     return false;
   }
+  const auto plan = read_demonstrated_plan("fuzz", 1, text);
+  require(plan && plan->task == demonstration->task && plan->commands.size() == demonstration->steps.size());
   for (const StepRecord& step : demonstration->steps) {
     const auto command = command_from_json("fuzz", command_to_json(step.command));
     require(command && *command == step.command);

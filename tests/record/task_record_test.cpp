@@ -161,6 +161,23 @@ TEST(ReadDemonstration, TakesASoundLineAndRefusesDamage) {
   expect_strict(sound_demonstration(), [](const std::string& text) { return bool(read_demonstration("d", 1, text)); });
 }
 
+TEST(ReadDemonstratedPlan, TakesTheCommandsOfALine) {
+  Json shown = sound_demonstration();
+  shown["shortest"] = Json::array({{{"action", "stop"}, {"args", Json::array()}}});
+  const auto whole = read_demonstration("M2.jsonl", 1, shown.dump());
+  const auto plan = read_demonstrated_plan("M2.jsonl", 1, shown.dump());
+  ASSERT_TRUE(whole) << format(whole.error());
+  ASSERT_TRUE(plan) << format(plan.error());
+  EXPECT_EQ(plan->task, whole->task);
+  std::vector<Command> commands;
+  for (const StepRecord& step : whole->steps) commands.push_back(step.command);
+  EXPECT_EQ(plan->commands, commands);
+  shown["steps"][2]["action"] = "stopp";
+  const auto wrong = read_demonstrated_plan("M2.jsonl", 4, shown.dump());
+  ASSERT_FALSE(wrong);
+  EXPECT_EQ(wrong.error().where, "M2.jsonl:4#/steps/2/action");
+}
+
 TEST(ReadDemonstration, PointsIntoTheStepThatIsWrong) {
   auto wrong = sound_demonstration();
   wrong["steps"][2]["action"] = "stopp";

@@ -1,6 +1,7 @@
 #include "scene/scene_json.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -191,6 +192,17 @@ TEST(ParseJson, ReadsWideObjectsWhereTheCallerAllowsAndStillFindsARepeatedField)
   const auto wider = parse_json("x", wide + "\"last\":2}}", kWide);
   ASSERT_FALSE(wider);
   EXPECT_THAT(wider.error().message, StartsWith("more than 200000 fields"));
+}
+
+TEST(ParseJson, LeavesFieldsOutInEveryObjectAndReadsOnBehindThem) {
+  const std::array<std::string_view, 2> names{"big", "gone"};
+  const auto read = parse_json_without(
+      names, "x",
+      R"({"a":[{"big":{"a":[1,{"gone":2}]},"b":1},{"gone":[],"big":"a"}],"gone":null,"c":"big","d":{"big":true}})");
+  ASSERT_TRUE(read) << format(read.error());
+  EXPECT_EQ(read->dump(), R"({"a":[{"b":1},{}],"c":"big","d":{}})");
+  EXPECT_FALSE(parse_json_without(names, "x", R"({"a":1,"big":[1,}})"));
+  EXPECT_FALSE(parse_json_without(names, "x", R"({"a":1,"gone":[],"a":2})"));
 }
 
 TEST(ParseJson, CountsEveryValueOfAText) {

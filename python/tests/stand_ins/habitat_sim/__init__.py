@@ -12,6 +12,7 @@ import json
 import math
 import sys
 import types
+from functools import cache
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -192,6 +193,7 @@ def shape_of_link(link):
     return Shape(numpy.concatenate(triangles)) if triangles else None
 
 
+@cache  # scenes have many models in common
 def shape_of_file(path):
     return Shape(trimesh.load(path, force="mesh").triangles)
 
