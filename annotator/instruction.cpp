@@ -177,12 +177,20 @@ std::string american(std::string text) {
 }
 
 /// "Fill something to drink from with water", "put something to read on on the bed", "grab me it",
-/// "pick up something to dry them with", "wash something to cover up with".
+/// "pick up something to dry them with", "wash something to cover up with", which who needs it now does not want wet.
 bool sounds_right(const std::string& text) {
-  constexpr std::array kNever{" from with ", " with with ",    " in with ", " on with ", " on on ",
-                              " on in ",     " in in ",        " in on ",   " with on ", " with in ",
-                              " me it.",     " on something ", " at first"};
-  constexpr std::array kNeverNeeded{"ick up something ", "ash something to cover ", "lean something to cover "};
+  constexpr std::array kNever{" from with ", " with with ",    " in with ",      " on with ",       " on on ",
+                              " on in ",     " in in ",        " in on ",        " with on ",       " with in ",
+                              " me it.",     " on something ", " turned on to ", " turned off to ", " at first"};
+  constexpr std::array kNeverNeeded{"ick up something ", "ash something to cover ", "lean something to cover ",
+                                    "ash something to dry ", "lean something to dry "};
+  // "… the fork nearest to the oven in the dishwasher": into it, or so it is heard as where the oven is.
+  constexpr std::string_view kNearest = " nearest to ";
+  if (const std::size_t near = text.find(kNearest); near != std::string::npos) {
+    const std::string rest = text.substr(0, text.find_first_of(",.", near)).substr(near);
+    const std::size_t in = std::min(rest.find(" in the "), rest.find(" in a "));
+    if (in < rest.find(" and ")) return false;
+  }
   // "… put the taco on the table. Put the plum on it.": on the taco?
   std::size_t from = 0;
   bool placed = false;

@@ -168,11 +168,11 @@ std::string usual_text(const std::vector<std::pair<std::string, std::vector<Usua
       for (const CommonUnused& unused : one.common) text += "      " + reason_text(unused) + "\n";
       if (!one.sole.empty()) text += "    the only thing that some templates can be about:\n";
       for (const SoleCategory& only : one.sole) {
-        const auto share = [&](int part) {
+        const auto share_of = [&](int part) {
           return percent_text(only.all == 0 ? 0 : static_cast<double>(part) / only.all);
         };
-        text += "      " + only.category + ": " + share(only.tasks) + " of the tasks are of these templates, " +
-                share(only.named) + " name it (" + join(only.templates, ", ") + ")\n";
+        text += "      " + only.category + ": " + share_of(only.tasks) + " of the tasks are of these templates, " +
+                share_of(only.named) + " name it (" + join(only.templates, ", ") + ")\n";
       }
     }
   }
