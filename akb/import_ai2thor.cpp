@@ -42,7 +42,32 @@ struct SceneFacts {
   std::map<std::string, std::vector<double>> masses;
   std::map<std::string, std::vector<Vec3>> extents;
   std::map<std::pair<std::string, std::string>, int> held;  // object type, receptacle type
+  std::map<std::string, int> number;                        // of objects of a type
+  std::map<std::string, std::map<std::string, int>> alone;  // type, our word for a material: objects of it alone
 };
+
+/// Our word for one of AI2-THOR's salient materials; "" for what is none to tell a thing by: Food, Soap, Organic.
+std::string material_of(const std::string& salient) {
+  static const std::map<std::string, std::string> kWords{
+      {"Ceramic", "ceramic"}, {"Fabric", "fabric"}, {"Glass", "glass"},     {"Leather", "leather"},
+      {"Metal", "metal"},     {"Paper", "paper"},   {"Plastic", "plastic"}, {"Rubber", "rubber"},
+      {"Sponge", "foam"},     {"Stone", "stone"},   {"Wax", "wax"},         {"Wood", "wood"}};
+  const auto word = kWords.find(salient);
+  return word == kWords.end() ? "" : word->second;
+}
+
+/// What things of a type come in: each material of which alone at least three and more than a tenth of its objects
+/// are. Empty when that is none.
+std::vector<std::string> materials_of(const std::string& type, const SceneFacts& facts) {
+  constexpr int kLeast = 3, kRarest = 10;
+  std::vector<std::string> materials;
+  const auto alone = facts.alone.find(type);
+  if (alone == facts.alone.end()) return materials;
+  for (const auto& [material, number] : alone->second) {
+    if (number >= kLeast && number * kRarest > facts.number.at(type)) materials.push_back(material);
+  }
+  return materials;
+}
 
 SceneFacts facts_of(const Json& scenes) {
   SceneFacts facts;
@@ -51,6 +76,11 @@ SceneFacts facts_of(const Json& scenes) {
     for (const auto& object : scene.at("objects")) type_of[object.at("objectId")] = object.at("objectType");
     for (const auto& object : scene.at("objects")) {
       const std::string type = object.at("objectType");
+      ++facts.number[type];
+      if (object.contains("materials") && object.at("materials").size() == 1) {
+        const auto material = material_of(object.at("materials").at(0));
+        if (!material.empty()) ++facts.alone[type][material];
+      }
       // 1 kg is what Unity gives a body that nobody weighed.
       if (object.contains("mass") && object.at("mass") != 1) facts.masses[type].push_back(object.at("mass"));
       if (object.contains("aabbSize")) {
@@ -76,6 +106,8 @@ void add_categories(TableBuilder& builder, const Json& types, const std::vector<
     raw.name = type;
     raw.movable = listed(row, "actionable_properties", "pickupable");
     raw.source = {kTypes, 1};
+    // Of furniture the metadata mostly names the frame: armchairs of metal.
+    if (raw.movable) raw.materials = materials_of(type, facts);
     if (const auto own = boxes.find(type); own != boxes.end()) raw.extents = middle_box(own->second);
     raw.extents_source = kAssets;
     if (const auto seen = facts.extents.find(type); !raw.extents && seen != facts.extents.end()) {

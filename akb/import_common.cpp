@@ -143,6 +143,7 @@ void TableBuilder::add(const RawCategory& raw) {
     c.mass = std::round(*raw.mass * 1000) / 1000;
     c.mass_source = {raw.mass_source, 0.9};
   }
+  if (!raw.materials.empty()) c.materials = raw.materials;
   const auto cell = [&](const std::string& column) { return curated(raw.name, column); };
   if (!cell("movable").empty()) c.movable = cell("movable") == "true";
   if (!cell("archetype").empty()) c.archetype = archetype_named(cell("archetype")).value_or(c.archetype);
@@ -155,6 +156,7 @@ void TableBuilder::add(const RawCategory& raw) {
     c.mass_source = {"curated", 0.9};
   }
   if (!cell("rooms").empty()) c.rooms = cell("rooms") == "-" ? std::vector<std::string>{} : split(cell("rooms"), '|');
+  if (!cell("materials").empty()) c.materials = split(cell("materials"), '|');
   kinds_[raw.name] = cell("kind").empty() ? word->kind : cell("kind");
   categories_[raw.name] = std::move(c);
 }

@@ -26,6 +26,7 @@ struct RawCategory {
   std::string extents_source;
   std::optional<double> mass;
   std::string mass_source;
+  std::vector<std::string> materials;  // sorted, in place of the word's; empty: the word's
   Source source;
   std::optional<Word> word;  // made from metadata; used in place of the lexicon's
 };

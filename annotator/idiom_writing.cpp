@@ -175,18 +175,30 @@ bool says_the_place(const NounPhrase& things, const Complement& said) {
          told.object[0].modifiers.empty();
 }
 
+/// Whether "the one" or "the ones" may stand for it: mugs, and crackers, but not bread.
+bool names_several(const Domain& noun, Naming& naming) {
+  if (naming.is_countable(noun)) return true;
+  const auto name = naming.singular(noun);
+  return name && name->ends_with('s') && !name->ends_with("ss");
+}
+
 }  // namespace
+
+bool stays_where_it_is_told(const Clause& clause, Naming& naming) {
+  return is_single(clause) && clause.subjects[0].determiner == Determiner::Every &&
+         says_the_place(clause.subjects[0], clause.complements[0]) && !names_several(clause.subjects[0].noun, naming);
+}
 
 std::optional<std::string> left_alone(const Clause& clause, Naming& naming) {
   if (!is_single(clause) || naming.keeps_no()) return std::nullopt;
   const NounPhrase& subject = clause.subjects[0];
   const Complement& said = clause.complements[0];
   if (subject.determiner == Determiner::Every && says_the_place(subject, said) && naming.was_named_kind(subject.noun)) {
-    if (!naming.is_countable(subject.noun)) return std::nullopt;  // "some bread … the one on the table"
+    if (!names_several(subject.noun, naming)) return std::nullopt;
     const Text where = naming.complement(subject.modifiers[0], {});
     if (!where) return std::nullopt;
-    return subject.there == 1 ? "leave the one " + *where + " where it is"
-                              : "leave the ones " + *where + " where they are";
+    return subject.there == 1 && naming.is_countable(subject.noun) ? "leave the one " + *where + " where it is"
+                                                                   : "leave the ones " + *where + " where they are";
   }
   if (subject.determiner == Determiner::Every && said.predicate == P::On && naming.distracts()) {
     const auto all = naming.phrase(subject, {.together = true});

@@ -31,4 +31,8 @@ std::optional<std::string> no_more(const Clause& clause, Naming& naming);
 /// What is so the whole time: "leave all the plates on the table", "do not open the fridge".
 std::optional<std::string> left_alone(const Clause& clause, Naming& naming);
 
+/// Whether it would be told by the place that it then has to keep, and has no plural: "keep the bread that is on the
+/// table on the table".
+bool stays_where_it_is_told(const Clause& clause, Naming& naming);
+
 }  // namespace unietp

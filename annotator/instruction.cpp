@@ -177,12 +177,20 @@ std::string american(std::string text) {
 }
 
 /// "Fill something to drink from with water", "put something to read on on the bed", "grab me it",
-/// "pick up something to dry them with", "wash something to cover up with".
+/// "pick up something to dry them with", "wash something to cover up with", which who needs it now does not want wet.
 bool sounds_right(const std::string& text) {
-  constexpr std::array kNever{" from with ", " with with ",    " in with ", " on with ", " on on ",
-                              " on in ",     " in in ",        " in on ",   " with on ", " with in ",
-                              " me it.",     " on something ", " at first"};
-  constexpr std::array kNeverNeeded{"ick up something ", "ash something to cover ", "lean something to cover "};
+  constexpr std::array kNever{" from with ", " with with ",    " in with ",      " on with ",       " on on ",
+                              " on in ",     " in in ",        " in on ",        " with on ",       " with in ",
+                              " me it.",     " on something ", " turned on to ", " turned off to ", " at first"};
+  constexpr std::array kNeverNeeded{"ick up something ", "ash something to cover ", "lean something to cover ",
+                                    "ash something to dry ", "lean something to dry "};
+  // "… the fork nearest to the oven in the dishwasher": into it, or so it is heard as where the oven is.
+  constexpr std::string_view kNearest = " nearest to ";
+  if (const std::size_t near = text.find(kNearest); near != std::string::npos) {
+    const std::string rest = text.substr(0, text.find_first_of(",.", near)).substr(near);
+    const std::size_t in = std::min(rest.find(" in the "), rest.find(" in a "));
+    if (in < rest.find(" and ")) return false;
+  }
   // "… put the taco on the table. Put the plum on it.": on the taco?
   std::size_t from = 0;
   bool placed = false;
@@ -230,9 +238,13 @@ bool ends_with_needs(const std::string& text, const NounTable& lexicon) {
 bool add_style_frame(std::string& text, const Specification& specification, Style style, const TextChecker& judge,
                      const Knowledge& knowledge, const NounTable& lexicon, Rng& rng) {
   std::vector<std::string> sentences;
+  // "Something to dry off with" is clear without "I'm about to take a shower.", too.
+  const auto stands_alone = [&](const std::string& need) {
+    return style != Style::Context && lexicon.phrases().contains(need);
+  };
   for (const auto& [key, phrase] : lexicon.phrases())
     if (phrase.use == AliasKind::Occasion && ranges_over(specification.goal, phrase.noun) &&
-        text.find(phrase.need) != std::string::npos)
+        text.find(phrase.need) != std::string::npos && !stands_alone(phrase.need))
       sentences.push_back(phrase.text);
   if (!sentences.empty() || style == Style::Context) {
     std::erase_if(sentences, [&](const std::string& said) { return !can_be_said(said, judge.start(), lexicon); });
@@ -360,7 +372,7 @@ class Writer {
     // "Put it where we wash our hands and close it."
     if (plain && text.find(" it", where) != text.npos) return std::nullopt;
     if (!sounds_right(text) || !ends_with_needs(text, nouns_)) return std::nullopt;
-    if (is_everyday()) text = with_room_tables(with_tops(std::move(text), nouns_));
+    if (is_everyday()) text = with_one_of(with_room_tables(with_tops(std::move(text), nouns_)), nouns_);
     // Nobody is asked to close "the place where we wash our hands".
     if (text.find(" the place where ") != text.npos || text.find(" the spot where ") != text.npos) return std::nullopt;
     if (!judge_.reads_back(text) || !style_fault(text, style, specification_.goal, options_.around, nouns_).empty())

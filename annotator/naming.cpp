@@ -114,8 +114,10 @@ std::vector<std::string> Naming::uses(const Domain& noun) const {
 
 bool Naming::names_by_use(const Domain& noun) const {
   const auto named = uses(noun);
-  return std::any_of(named.begin(), named.end(),
-                     [&](const std::string& use) { return !everyday() || use.starts_with("something "); });
+  return std::any_of(named.begin(), named.end(), [&](const std::string& use) {
+    // "a vegetable for it", which nobody washes either without an occasion
+    return !everyday() || use.starts_with("something ") || use.ends_with(" for it");
+  });
 }
 
 std::optional<std::string> Naming::singular(const Domain& domain) {

@@ -43,6 +43,10 @@ std::string with_room_tables(std::string text);
 class NounTable;
 std::string with_tops(std::string text, const NounTable& nouns);
 
+/// "Close one of the books" for "close a book", "turn one of the lamps off": of what is open or on people mean certain
+/// ones.
+std::string with_one_of(std::string text, const NounTable& nouns);
+
 /// "a mug", "an apple", "an hour glass", "a utensil": by pronunciation; "half an apple".
 std::string with_article(const std::string& noun);
 

@@ -1,10 +1,25 @@
 #include "annotator/other_wordings.h"
 
+#include <algorithm>
+#include <array>
 #include <cctype>
+#include <string_view>
 
 #include "annotator/frames.h"
 
 namespace unietp {
+namespace {
+
+/// "No mug may be left there.", "Once the bread is in, turn on the toaster."
+bool is_command(std::string_view plain) {
+  constexpr std::array<std::string_view, 26> kOthers{
+      "a",    "all", "an",   "after", "any",    "as",  "at",   "before", "both", "each",  "every", "i",    "i'd",
+      "it's", "if",  "once", "no",    "nobody", "one", "only", "some",   "the",  "there", "two",   "when", "while"};
+  const std::string_view first = plain.substr(0, plain.find(' '));
+  return first != "please" && std::find(kOthers.begin(), kOthers.end(), first) == kOthers.end();
+}
+
+}  // namespace
 
 std::vector<Instruction> other_wordings(const Specification& specification, const Knowledge& knowledge,
                                         const NounTable& nouns, const WritingOptions& options,
@@ -24,18 +39,24 @@ std::vector<Instruction> requests_for(const Instruction& command, const Specific
                                       std::set<std::string> known, std::size_t count) {
   const std::string& text = command.text;
   if (!text.ends_with('.')) return {};
-  const std::size_t before = text.find_last_of(".?", text.size() - 2);
-  const std::size_t begin = before == text.npos ? 0 : before + 2;
-  // "There is a mug on the desk. Can you wash it?"
+  // "There is a mug on the desk. Can you wash it?", "Can you slice the apple? Put one of the slices on a plate."
   const bool told = command.style == Style::Anaphora || command.style == Style::Context;
-  std::string plain = text.substr(begin, text.size() - begin - 1);
-  if ((begin > 0) != told || plain.starts_with("If ") || plain.starts_with("Please ")) return {};
+  const std::size_t last = text.find_last_of(".?", text.size() - 2);
+  if (told && last == text.npos) return {};
+  std::size_t begin = told ? last + 2 : 0;
+  const std::size_t end = text.find('.', begin), comma = text.find(", ", begin);
+  if (text.compare(begin, 3, "If ") == 0 && comma < end) begin = comma + 2;
+  std::string plain = text.substr(begin, end - begin);
+  if (plain.find('?') != plain.npos) return {};
+  const bool opens = std::isupper(static_cast<unsigned char>(plain[0])) != 0;
   plain[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(plain[0])));
+  if (!is_command(plain)) return {};
   std::vector<Instruction> found;
-  for (const std::string& asked : as_requests(plain)) {
+  for (std::string asked : as_requests(plain)) {
     if (found.size() == count) break;
+    if (!opens) asked[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(asked[0])));
     Instruction request = command;
-    request.text.replace(begin, std::string::npos, asked);
+    request.text.replace(begin, end + 1 - begin, asked);
     if (!check_instruction(request.text, specification, knowledge, nouns, &home).empty()) continue;
     if (known.insert(request.text).second) found.push_back(std::move(request));
   }

@@ -15,9 +15,9 @@ std::vector<Instruction> other_wordings(const Specification& specification, cons
                                         const NounTable& nouns, const WritingOptions& options,
                                         std::set<std::string> known, std::size_t count, const Rng& rng);
 
-/// The same for texts that are requests of the given command: "Please empty both cups.", "Can you empty both cups?".
-/// Of a text that first tells something (anaphora, context) its last sentence is. None of other texts of several
-/// sentences, of questions, and of what begins with a condition.
+/// The same for texts that are requests of the given command: "Please empty both cups.", "Can you empty both cups?",
+/// "If the lamp is on, please turn it off.". Of several sentences the first is asked for, or the last where the text
+/// first tells something (anaphora, context). None of questions and statements.
 std::vector<Instruction> requests_for(const Instruction& command, const Specification& specification,
                                       const Knowledge& knowledge, const NounTable& nouns, const Scene& home,
                                       std::set<std::string> known, std::size_t count);

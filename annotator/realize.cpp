@@ -164,6 +164,7 @@ class Realizer {
         return framed("make sure that at some point ", clauses_.statement(clauses[0], "is"), "");
       }
       case Kind::Always: {
+        if (everyday_ && stays_where_it_is_told(clauses[0], naming_)) return std::nullopt;
         if (everyday_)
           if (const Text left = left_alone(clauses[0], naming_)) return sentence(*left, '.');
         if (everyday_ || rng_.chance(0.6))

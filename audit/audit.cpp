@@ -29,7 +29,7 @@ struct Played {
 };
 
 void play_all(Played& played, std::uint64_t number, const LearnedModels& models,
-              const std::vector<const ShortcutPolicy*>& policies) {
+              const std::map<GuessChoice, KindPool>& pools, const std::vector<const ShortcutPolicy*>& policies) {
   const std::size_t part = part_of(*played.task);
   const ModelsOfPart of_part{&models.small_things[part], &models.of_kind[part]};
   std::map<std::size_t, std::vector<const ShortcutPolicy*>> by_channel;  // by place of the first policy that has it
@@ -41,7 +41,8 @@ void play_all(Played& played, std::uint64_t number, const LearnedModels& models,
     by_channel[static_cast<std::size_t>((*first) - shortcut_policies().data())].push_back(policy);
   }
   for (const auto& [channel, together] : by_channel) {
-    const auto guesses = play(*played.question, together, of_part, Rng(number).fork("audit", channel));
+    const auto guesses = play(*played.question, together, of_part, pools.at(played.question->choice),
+                              Rng(number).fork("audit", channel));
     for (std::size_t p = 0; p < together.size(); ++p) played.guesses.emplace_back(together[p], guesses[p]);
   }
 }
@@ -144,12 +145,16 @@ AuditReport audit(std::vector<AuditedTask> tasks, std::vector<AuditedTask> train
   learn_from_texts(tasks, training);
   const LearnedModels models = learn_models(training);
   std::vector<Played> played;
+  std::map<GuessChoice, KindPool> pools;
+  for (const ShortcutPolicy& policy : shortcut_policies()) {
+    if (!pools.contains(policy.choice)) pools.emplace(policy.choice, pool_of(tasks, policy.choice));
+  }
   for (const AuditedTask& task : tasks) {
     for (const GuessQuestion& question : task.questions) played.push_back({&task, &question, {}});
   }
   std::atomic<int> done = 0;
   share_work(settings.threads, played.size(), [&](std::size_t i) {
-    play_all(played[i], i, models, settings.policies);
+    play_all(played[i], i, models, pools, settings.policies);
     const int count = ++done;
     if (settings.progress) settings.progress(count);
   });

@@ -25,12 +25,12 @@ std::size_t guess_of(const ShortcutPolicy& policy, const std::vector<GuessOption
 }  // namespace
 
 std::vector<Guesses> play(const GuessQuestion& question, const std::vector<const ShortcutPolicy*>& policies,
-                          const ModelsOfPart& models, Rng rng) {
+                          const ModelsOfPart& models, const KindPool& pool, Rng rng) {
   std::vector<Guesses> guesses(policies.size());
   std::vector<GuessOption> options = question.options;
   std::vector<float> values;
   values.reserve(options.size());
-  Shuffler shuffler(question.options, *policies.front()->channel);
+  Shuffler shuffler(question.options, *policies.front()->channel, pool);
   for (std::size_t arrangement = 0; arrangement <= kPermutations; ++arrangement) {
     if (arrangement > 0) shuffler.draw(rng, options);
     for (std::size_t p = 0; p < policies.size(); ++p)

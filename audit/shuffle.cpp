@@ -7,8 +7,20 @@
 
 namespace unietp {
 
-Shuffler::Shuffler(const std::vector<GuessOption>& options, const LeakChannel& channel)
+KindPool pool_of(const std::vector<AuditedTask>& tasks, GuessChoice choice) {
+  KindPool pool;
+  for (const AuditedTask& task : tasks) {
+    for (const GuessQuestion& question : task.questions) {
+      if (question.choice != choice) continue;
+      for (const GuessOption& option : question.options) pool[option.kind].push_back(&option);
+    }
+  }
+  return pool;
+}
+
+Shuffler::Shuffler(const std::vector<GuessOption>& options, const LeakChannel& channel, const KindPool& pool)
     : options_(options), channel_(channel), listed_(options.size()), source_(options.size()) {
+  for (const GuessOption& option : options) of_kind_.push_back(&pool.at(option.kind));
   std::iota(listed_.begin(), listed_.end(), std::size_t{0});
   std::stable_sort(listed_.begin(), listed_.end(),
                    [&](std::size_t a, std::size_t b) { return options[a].place < options[b].place; });
@@ -29,10 +41,21 @@ Shuffler::Shuffler(const std::vector<GuessOption>& options, const LeakChannel& c
 
 void Shuffler::draw(Rng& rng, std::vector<GuessOption>& shuffled) {
   for (const LeakChannel::Part& part : channel_.parts) {
+    if (part.scope == ShuffleScope::OfAnyHome) {
+      draw_of_any_home(part, rng, shuffled);
+      continue;
+    }
     draw_sources(part.scope, rng);
     for (const auto field : part.fields) {
       for (std::size_t i = 0; i < source_.size(); ++i) shuffled[i].*field = options_[source_[i]].*field;
     }
+  }
+}
+
+void Shuffler::draw_of_any_home(const LeakChannel::Part& part, Rng& rng, std::vector<GuessOption>& shuffled) const {
+  for (std::size_t i = 0; i < shuffled.size(); ++i) {
+    const GuessOption& other = *rng.pick(*of_kind_[i]);
+    for (const auto field : part.fields) shuffled[i].*field = other.*field;
   }
 }
 

@@ -142,6 +142,18 @@ Exit careful_stats(const StatsOptions& options, const CommandLine& program) {
   return Exit::Ok;
 }
 
+/// Why no goal names a thing that most homes have.
+std::string reason_text(const CommonUnused& unused) {
+  constexpr std::size_t kNamed = 3;
+  const auto& templates = unused.templates;
+  if (templates.empty()) return unused.category + ": no template has a usual goal about it";
+  std::vector<std::string> some(templates.begin(), templates.begin() + std::min(templates.size(), kNamed));
+  const std::string rest = templates.size() > kNamed ? ", ..." : "";
+  return unused.category + ": the " + std::to_string(unused.tasks) + " tasks of the " +
+         std::to_string(templates.size()) + " templates that could be about it are about other things (" +
+         join(some, ", ") + rest + ")";
+}
+
 std::string usual_text(const std::vector<std::pair<std::string, std::vector<UsualCoverage>>>& sets) {
   std::string text;
   for (const auto& [name, all] : sets) {
@@ -152,9 +164,40 @@ std::string usual_text(const std::vector<std::pair<std::string, std::vector<Usua
       text += "  " + one.simulator + ": " + std::to_string(named) + " of " + std::to_string(one.usual) +
               " categories with usual goals are in a goal (" + percent_text(share) + ")\n";
       if (!one.missing.empty()) text += "    not: " + join(one.missing, " ") + "\n";
+      if (!one.common.empty()) text += "    common in homes, in no goal:\n";
+      for (const CommonUnused& unused : one.common) text += "      " + reason_text(unused) + "\n";
+      if (!one.sole.empty()) text += "    the only thing that some templates can be about:\n";
+      for (const SoleCategory& only : one.sole) {
+        const auto share_of = [&](int part) {
+          return percent_text(only.all == 0 ? 0 : static_cast<double>(part) / only.all);
+        };
+        text += "      " + only.category + ": " + share_of(only.tasks) + " of the tasks are of these templates, " +
+                share_of(only.named) + " name it (" + join(only.templates, ", ") + ")\n";
+      }
     }
   }
   return text;
+}
+
+/// How many tasks of the set are of the templates.
+int tasks_of(const std::vector<std::string>& templates, const GoalThings& things) {
+  int tasks = 0;
+  for (const std::string& name : templates) {
+    const auto made = things.templates.find(name);
+    tasks += made == things.templates.end() ? 0 : made->second;
+  }
+  return tasks;
+}
+
+std::vector<CommonUnused> common_unused_of(const GoalThings& things, const Resources& resources) {
+  std::vector<CommonUnused> all;
+  for (const std::string& category : things.common_unused) {
+    CommonUnused& one = all.emplace_back();
+    one.category = category;
+    one.templates = templates_with_usual_goals(category, resources, *simulator_named(things.simulator));
+    one.tasks = tasks_of(one.templates, things);
+  }
+  return all;
 }
 
 /// Of the categories that some usual goal could be about, how many the goals of each set name, and which they do not.
@@ -165,8 +208,11 @@ Exit usual_stats(const StatsOptions& options, const CommandLine& program) {
   std::vector<const Knowledge*> knowledge;
   for (const auto simulator : kSimulators) knowledge.push_back(&resources.backend(simulator).knowledge);
   std::map<std::string, std::vector<std::string>> usual;
-  for (const auto simulator : kSimulators)
+  std::map<std::string, std::map<std::string, std::vector<std::string>>> of_one;
+  for (const auto simulator : kSimulators) {
     usual[std::string(name_of(simulator))] = categories_with_usual_goals(resources, simulator);
+    of_one[std::string(name_of(simulator))] = templates_of_one_category(resources, simulator);
+  }
   std::vector<std::pair<std::string, std::vector<UsualCoverage>>> sets;
   for (const auto& folder : options.folders) {
     const auto set = read_finished_set(folder);
@@ -176,7 +222,12 @@ Exit usual_stats(const StatsOptions& options, const CommandLine& program) {
     auto& of_set = sets.emplace_back(statistics->name, std::vector<UsualCoverage>{}).second;
     for (const GoalThings& things : statistics->things) {
       const auto& all = usual[things.simulator];
-      of_set.push_back({things.simulator, all.size(), {}});
+      of_set.push_back({things.simulator, all.size(), {}, common_unused_of(things, resources), {}});
+      for (const auto& [category, templates] : of_one[things.simulator]) {
+        const auto named = things.categories.find(category);
+        of_set.back().sole.push_back({category, templates, tasks_of(templates, things),
+                                      named == things.categories.end() ? 0 : named->second, things.tasks});
+      }
       std::copy_if(all.begin(), all.end(), std::back_inserter(of_set.back().missing),
                    [&](const std::string& name) { return !things.named.contains(name); });
     }

@@ -57,6 +57,7 @@ Result<FolderLock> FolderLock::take(const fs::path& asked) {
   for (int tried = 1;; ++tried) {
     std::error_code code;
     fs::create_directories(folder.parent_path(), code);
+    if (code == std::errc::no_such_file_or_directory && tried < kMostTries) continue;  // as below
     if (code)
       return lock_error(Error::Kind::Io, asked,
                         "cannot create the folder that it is to be in: " + code.message() +

@@ -1,6 +1,7 @@
 #include "expert/methods.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <tuple>
 
@@ -88,7 +89,8 @@ bool Methods::change_state(const Literal& literal) {
   return false;
 }
 
-/// Those in hand first, then the nearest; by where they and the agent are now, whenever the next one is asked for.
+/// Those in hand first, then the nearest; by where they and the agent are now, whenever the next one is asked for. What
+/// there is a way to only once a door is shut is as far as it is then.
 Methods::Tools Methods::nearest_of(const std::vector<const Effect*>& rules, const std::string& except) const {
   const World here = attempt_.world();
   const auto rank = [this, here](const std::string& id, double away, std::string name) {
@@ -96,7 +98,18 @@ Methods::Tools Methods::nearest_of(const std::vector<const Effect*>& rules, cons
     const auto& held = here.agent().held;
     return ToolRank(avoided, std::find(held.begin(), held.end(), id) == held.end(), away, std::move(name));
   };
-  Tools tools(kMostTools, [here, rank](const std::string& id) { return rank(id, here.walking_distance(id), id); });
+  const auto away = [this, here](const std::string& id) {
+    const double way = here.walking_distance(id);
+    if (std::isfinite(way)) return way;
+    for (const auto& shut : ways_to_shut_a_door(id)) {
+      World later = here;
+      const bool works =
+          std::all_of(shut.begin(), shut.end(), [&](const Action& step) { return later.step(step).success; });
+      if (works && std::isfinite(later.walking_distance(id))) return later.walking_distance(id);
+    }
+    return way;
+  };
+  Tools tools(kMostTools, [away, rank](const std::string& id) { return rank(id, away(id), id); });
   std::set<std::string_view> categories;
   for (const Effect* rule : rules) categories.insert(rule->tool);
   for (const std::string_view category : categories) {
@@ -314,18 +327,27 @@ bool Methods::do_at(ActionType action, const std::string& id) {
   return trouble && depends_on_standing(trouble->failure) && from_elsewhere({action, {id}}, id, {});
 }
 
+/// Ways to shut one of the doors that stand open, but not one of what the object is in.
+std::vector<std::vector<Action>> Methods::ways_to_shut_a_door(const std::string& id) const {
+  const World& world = attempt_.world();
+  std::vector<std::vector<Action>> ways;
+  for (const Node& node : world.nodes()) {
+    const bool open = !node.movable && node.openable && node.states.has(Predicate::Open);
+    if (!open || world.linked(id, Predicate::Inside, node.id)) continue;
+    const Action back{ActionType::GoTo, {node.id}}, shut{ActionType::Close, {node.id}};
+    if (world.in_reach(node.id)) ways.push_back({shut});
+    ways.push_back({back, shut});
+  }
+  return ways;
+}
+
 /// Who opened a door may stand behind it, in a corner that leads nowhere. Shuts one after which there is a way, and
 /// goes.
 bool Methods::shut_out_of_the_way(const std::string& id) {
-  std::vector<std::string> open;
-  for (const Node& node : attempt_.world().nodes()) {
-    if (!node.movable && node.openable && node.states.has(Predicate::Open)) open.push_back(node.id);
-  }
-  for (const std::string& door : open) {
-    const Action back{ActionType::GoTo, {door}}, shut{ActionType::Close, {door}}, go{ActionType::GoTo, {id}};
-    if (attempt_.world().linked(id, Predicate::Inside, door)) continue;
-    if (attempt_.world().in_reach(door) && works({shut, go})) return attempt_.act(shut) && attempt_.act(go);
-    if (works({back, shut, go})) return attempt_.act(back) && attempt_.act(shut) && attempt_.act(go);
+  for (auto& way : ways_to_shut_a_door(id)) {
+    way.push_back({ActionType::GoTo, {id}});
+    if (works(way))
+      return std::all_of(way.begin(), way.end(), [this](const Action& step) { return attempt_.act(step); });
   }
   return false;
 }

@@ -72,6 +72,7 @@ class Methods {
   bool bring_about(const ActionNeed& need, const std::string& id, Predicate aim);
   bool directly(ActionType action, const std::string& id);
   bool do_at(ActionType action, const std::string& id);
+  std::vector<std::vector<Action>> ways_to_shut_a_door(const std::string& id) const;
   bool shut_out_of_the_way(const std::string& id);
   bool from_elsewhere(const Action& action, const std::string& about, const Postcondition& aim);
   bool works(const std::vector<Action>& steps) const;

@@ -82,9 +82,11 @@ bool is_put_away(const GoalVariable& variable, const Specification& plain, const
 }
 
 /// Whether a thing is got ready, switched on or brought: who says what they are up to does not want what they need for
-/// it filled, emptied, heated or cut.
+/// it filled, emptied, heated or cut, nor washed and held on to.
 bool is_got_ready(const GoalVariable& variable, const Specification& plain) {
   const auto asked = predicates_of(plain.goal, variable.variable);
+  const bool held = std::find(asked.begin(), asked.end(), Predicate::Held) != asked.end();
+  if (held && asked.size() > 1) return false;
   return std::all_of(asked.begin(), asked.end(), [](Predicate predicate) {
     return predicate == Predicate::Held || predicate == Predicate::On || predicate == Predicate::InRoom ||
            predicate == Predicate::Inside || predicate == Predicate::OnFloor || predicate == Predicate::Clean ||
@@ -143,7 +145,8 @@ std::optional<Specification> refine_by_phrase(const Specification& plain, const 
       continue;
     const auto asked = predicates_of(plain.goal, variable.variable);
     const bool held = std::find(asked.begin(), asked.end(), Predicate::Held) != asked.end();
-    if (style == Style::Hypernym && held) continue;  // "pick up a piece of clothing"
+    if (style == Style::Hypernym && held) continue;                     // "pick up a piece of clothing"
+    if (style == Style::Context && held && asked.size() > 1) continue;  // "wash something to eat it with and hold it"
     if (any_kind && !may_be_any_kind(variable, plain, knowledge, offer.uses)) continue;
     const auto* category = knowledge.find(variable.category);
     if (category != nullptr && (category->movable || style != Style::Function)) choices.push_back(variable.category);

@@ -62,6 +62,13 @@ class FactsOfRooms {
   bool on_or_in(EntityIndex one, EntityIndex other) const {
     return facts_.holds(Predicate::On, one, other) || facts_.holds(Predicate::Inside, one, other);
   }
+  /// The same, or it is on or in something that is, at most so many levels up.
+  bool is_carried_by(EntityIndex one, EntityIndex other, int levels = 8) const {
+    if (on_or_in(one, other)) return true;
+    const auto carried = [&](EntityIndex below) { return is_carried_by(below, other, levels - 1); };
+    return levels > 1 &&
+           (facts_.any_related(Predicate::On, one, carried) || facts_.any_related(Predicate::Inside, one, carried));
+  }
   /// Whether it is on, in or under something; of `next_to`, beside something.
   bool has_such_a_place(EntityIndex one, Predicate relation) const {
     using enum Predicate;
@@ -80,7 +87,7 @@ std::optional<std::string> odd_nearness(const Entities& referents, Entities othe
   for (const EntityIndex one : referents) {
     if (home.is_shut_away(one)) return "it is shut away";
     for (const EntityIndex landmark : landmarks) {
-      if (home.on_or_in(one, landmark)) return "it is on or in that";
+      if (home.is_carried_by(one, landmark)) return "it is on or in that";
       if (!home.share_a_room(one, landmark)) return "that is in another room";
     }
     if (!home.in_room_of_any(one, others)) return "no other one is seen in the room";

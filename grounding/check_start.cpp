@@ -6,6 +6,7 @@
 #include "grounding/check_goal.h"
 #include "grounding/check_looks.h"
 #include "grounding/check_references.h"
+#include "grounding/check_seeming.h"
 #include "grounding/goal_places.h"
 #include "grounding/nearness_on_foot.h"
 #include "grounding/reach.h"
@@ -184,6 +185,7 @@ std::optional<GroundingFailure> check_start(const Specification& specification, 
   if (auto problem = check_referring(specification, trace)) return problem;
   if (gates.natural) {
     if (auto problem = check_references(specification, trace)) return problem;
+    if (auto problem = check_seeming(specification.goal, trace, knowledge)) return problem;
     if (auto problem = check_nearness_on_foot(specification.goal, start, grown.places, trace, *grown.walk))
       return problem;
   }

@@ -16,7 +16,7 @@ namespace unietp {
 /// What a start may have to meet besides.
 struct StartGates {
   bool pictured = false;  // what the goal needs shows clearly in a picture from somewhere (check_goal)
-  bool natural = false;   // things are told apart as people would (check_references, nearness_on_foot)
+  bool natural = false;   // as people speak of it (check_references, check_seeming, nearness_on_foot)
 };
 
 /// Checks a start using only physics, sharing nothing with the code that made it but the home that it grew out of:

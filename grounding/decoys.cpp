@@ -225,37 +225,64 @@ class Decoys {
     }
   }
 
-  /// Moves things of the home that the task does not speak of into the room, each once: first those that are kept there
-  /// about as often as what was asked for.
+  /// Whether homes have such things in the room.
+  bool is_found_in(const std::string& category, const Room* room) {
+    const auto* household = workspace().household();
+    return household == nullptr || room == nullptr || household->is_found_in(category, room->type);
+  }
+
+  /// Moves things of the home that the task does not speak of into the room, each once: first those that homes have
+  /// there or not as they have what was asked for there or not, of these such as are kept there about as often. Where
+  /// homes do not have it there, and too few others find a place in the room, more go to other rooms where homes do not
+  /// have them.
   void move_into(const Room* room, const std::string& asked) {
     const auto suits = [&](const std::string& category) {
       const auto* household = workspace().household();
       return household == nullptr || room == nullptr ? 1 : household->in_room(category, room->type);
     };
-    std::vector<std::pair<double, std::string>> ids;
+    const bool is_stray = !is_found_in(asked, room);
+    std::vector<std::pair<std::pair<bool, double>, std::string>> ids;
     for (const Node& node : home_.scene.nodes) {
       const Category* category = knowledge().find(node.category);
-      if (category == nullptr || !can_be_decoy(*category) || !is_kept_in(*category, room)) continue;
+      if (category == nullptr || !can_be_decoy(*category) || !(is_stray || is_kept_in(*category, room))) continue;
       const auto place = workspace().places().find(node.id);
-      if (place && workspace().scene().nodes[*place] == node)
-        ids.emplace_back(std::abs(suits(node.category) - suits(asked)), node.id);
+      if (!place || workspace().scene().nodes[*place] != node) continue;
+      const bool unlike = is_found_in(node.category, room) == is_stray || !is_kept_in(*category, room);
+      ids.push_back({{unlike, std::abs(suits(node.category) - suits(asked))}, node.id});
     }
     rng_.shuffle(ids);
     std::stable_sort(ids.begin(), ids.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     int left = kMovedDecoys, tries = kTriesPerMoved * kMovedDecoys;
-    for (const auto& [gap, id] : ids) {
+    for (const auto& [unlike, id] : ids) {
       if (left == 0 || tries-- == 0 || moved_ == kMostMoved) break;
-      if (!move_into(id, room)) continue;
+      const bool strays_elsewhere = is_stray && unlike.first;
+      if (!(strays_elsewhere ? move_astray(id) : move_into(id, room))) continue;
       ++moved_;
       --left;
     }
   }
 
   bool move_into(const std::string& id, const Room* room) {
+    return move(id, [this, room](const Node& host) {
+      return room == nullptr || workspace().room_of(*workspace().places().find(host.id)) == room;
+    });
+  }
+
+  /// Into a room where homes do not have such things.
+  bool move_astray(const std::string& id) {
+    const std::string category = home_.scene.nodes[*home_.places.find(id)].category;
+    return move(id, [this, category](const Node& host) {
+      const Room* room = workspace().room_of(*workspace().places().find(host.id));
+      return room != nullptr && !is_found_in(category, room) && is_kept_in(*knowledge().find(category), room);
+    });
+  }
+
+  bool move(const std::string& id, const std::function<bool(const Node&)>& accept) {
     const std::size_t place = *workspace().places().find(id);
     if (!workspace().carried_by(place).empty()) return false;
     const Node before = workspace().scene().nodes[place];
-    if (!editor_.relocate(id, is_free(room, draw_goal_place(*knowledge().find(before.category))))) return false;
+    const auto is_free_there = is_free(nullptr, draw_goal_place(*knowledge().find(before.category)));
+    if (!editor_.relocate(id, [&](const Node& host) { return accept(host) && is_free_there(host); })) return false;
     if (is_sensible(id)) return true;
     editor_.replace(before);
     editor_.refresh();

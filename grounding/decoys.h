@@ -16,9 +16,11 @@ namespace unietp {
 /// for slices. Each is on or in the same kind of furniture as the thing that it is like, if it is kept there and finds
 /// a place, and in its states, as far as it can be. Of a category of which the home has several and nothing was added,
 /// kDecoys others that it has once less come first to be given one more, in any room. For each thing of the goal that
-/// was moved, kMovedDecoys others of the home are moved into its room, first those that are kept there about as often;
-/// for each state that it was given, kRestatedDecoys others of the home are given it and its other states as far as
-/// they can be, first those that share these, at most fifteen in all, if such things are in it at such places.
+/// was moved, kMovedDecoys others of the home are moved into its room, first those that homes have there or not
+/// (Household::is_found_in) as they do or do not have what was moved, of these such as are kept there about as often;
+/// where homes do not have it there, and too few such others find a place, more go to other rooms where homes do not
+/// have them. For each state that it was given, kRestatedDecoys others of the home are given it and its other states as
+/// far as they can be, first those that share these, at most fifteen in all, if such things are in it at such places.
 ///
 /// All are placed as SceneEditor places things, not where the goal puts something, nor in one place, drawn among the
 /// usual ones of their category, that a task for them could have named. Nothing of a category that the task speaks of

@@ -177,7 +177,7 @@ std::variant<Grounded, Rejection> ground(const Specification& specification, con
     polish(editor, goal_places(specification.goal), is_sound);
     make_ready(editor, specification, is_sound);
     start = read_start(editor, home);
-    problem = problem_of(start, options.likely);
+    problem = problem_of(start, options.natural);
     if (!problem) break;
     // What stands out of reach or unsteadily gets another place, then all is checked again.
     const bool misplaced =

@@ -18,6 +18,7 @@ struct GroundingOptions {
   int draws_per_object = 60;             // poses tried for one placement
   int rounds = 4;                        // passes over the start constraints before giving up
   bool likely = false;                   // a start that no home looks like is rejected (odd_start of ground.cpp)
+  bool natural = false;                  // and one in which nobody would refer to things so (StartGates::natural)
   bool dangerous = false;                // but something may be where safety forbids it
   const Household* household = nullptr;  // how things are in such homes; nullptr: as the knowledge base says
   bool decoys = false;                   // things are added besides those that the task needs (decoys.h)

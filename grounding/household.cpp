@@ -45,6 +45,7 @@ Household::Household(const Knowledge& knowledge, const CommonSense& sense, Start
       if (sense.used_for(fact->kind, PlaceUse::Passing)) passing_.insert(category.name);
     }
     if (!category.movable) continue;
+    found_in_[category.name].insert(category.rooms.begin(), category.rooms.end());
     if (const auto kind = kind_of(category.name); !kind.empty() && !rooms_.contains(kind)) {
       auto& suits = rooms_[std::string(kind)];
       for (const auto& type : room_types) {
@@ -112,6 +113,11 @@ double Household::in_room(std::string_view category, std::string_view room) cons
 
 bool Household::is_usual_in(std::string_view category, std::string_view room) const {
   return in_room(category, room) >= kUsualRoom;
+}
+
+bool Household::is_found_in(std::string_view category, std::string_view room) const {
+  const auto rooms = found_in_.find(category);
+  return rooms == found_in_.end() || rooms->second.contains(room);
 }
 
 bool Household::keeps(std::string_view category, std::string_view receptacle, std::string_view room) const {

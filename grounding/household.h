@@ -43,6 +43,10 @@ class Household {
   /// Whether such a room is one where things of the category usually are: wine is not asked for on a bathroom's
   /// counter.
   bool is_usual_in(std::string_view category, std::string_view room) const;
+  /// Whether homes of the simulator have things of the category in rooms of a type: real homes do, as was noted, or the
+  /// knowledge base calls it a usual room. True for what nothing is known of.
+  bool is_found_in(std::string_view category, std::string_view room) const;
+  void note_room(const std::string& category, const std::string& room) { found_in_[category].insert(room); }
   /// Whether things of the category are kept on or in a receptacle that stands in such a room. What stands about is in
   /// any room that suits it at times; into places of PlaceUse::PutAway it goes only in rooms where it usually is.
   bool keeps(std::string_view category, std::string_view receptacle, std::string_view room) const;
@@ -93,6 +97,7 @@ class Household {
   std::map<std::string, std::set<std::string>, std::less<>>
       covered_by_name_;                                  // by a category with a generic name: others
   std::map<std::string, double, std::less<>> on_floor_;  // by kind
+  std::map<std::string, std::set<std::string, std::less<>>, std::less<>> found_in_;  // rooms of a movable category
 };
 
 /// The household of a simulator from the tables of data/sense. Errors: the first of those tables.

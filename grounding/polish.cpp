@@ -33,10 +33,11 @@ class Polish {
       if (node.movable && oddness_of(workspace(), node) != Oddness::None) find_likelier_place(node);
     }
     for (const auto& [category, places] : places_) {
-      if (workspace().household() != nullptr &&
-          std::any_of(places.begin(), places.end(),
-                      [&](const std::string& place) { return workspace().household()->washes(place); }))
-        take_one_out(category, places);
+      const auto* household = workspace().household();
+      if (household == nullptr) break;
+      const auto washes = [&](const std::string& place) { return household->washes(place); };
+      if (std::any_of(places.begin(), places.end(), washes)) take_one_out(category, places);
+      take_out_of_the_wash(category, places);
     }
     editor_.refresh();
   }
@@ -125,6 +126,46 @@ class Polish {
     if (moved) editor_.refresh();
     if (!moved || !is_sound_()) editor_.replace(before);
     editor_.refresh();
+  }
+
+  /// Whether the thing waits to be washed where the goal wants it nearly: dirty in a dishwasher though it is to go
+  /// somewhere else, or in a dryer though it is to go into the washing machine.
+  bool is_in_the_wash(const Node& node, const std::set<std::string>& goal) {
+    const Household& household = *workspace().household();
+    const auto entity = workspace().current_state().reader().find(node.id);
+    const auto& trace = workspace().current_state().now();
+    const auto& relations = trace.states.front().relations(*entity);
+    return std::any_of(relations.begin(), relations.end(), [&](const auto& one) {
+      const auto host = workspace().places().find(trace.entities[one.second].id);
+      if (!host) return false;
+      const std::string& there = workspace().scene().nodes[*host].category;
+      if (one.first != Predicate::Inside || !household.washes(there)) return false;
+      const bool to_be_washed =
+          std::any_of(goal.begin(), goal.end(), [&](const std::string& place) { return household.washes(place); });
+      if (!to_be_washed) return node.states.has(Predicate::Dirty);
+      return std::any_of(goal.begin(), goal.end(), [&](const std::string& place) {
+        return place != there && household.kind_of(place) == household.kind_of(there);
+      });
+    });
+  }
+
+  /// Moves such things to where neither they nor others are washed and the goal puts none.
+  void take_out_of_the_wash(const std::string& category, const std::set<std::string>& goal) {
+    editor_.refresh();
+    std::vector<Node> things;
+    for (const Node& node : workspace().scene().nodes) {
+      if (node.category == category && node.movable && is_in_the_wash(node, goal)) things.push_back(node);
+    }
+    for (const Node& before : things) {
+      if (!workspace().carried_by(*workspace().places().find(before.id)).empty()) continue;
+      const bool moved = editor_.relocate(before.id, [&](const Node& host) {
+        return !workspace().household()->washes(host.category) && !goal.contains(host.category) &&
+               !is_rare_at(workspace(), before, host);
+      });
+      if (moved) editor_.refresh();
+      if (!moved || !is_sound_()) editor_.replace(before);
+      editor_.refresh();
+    }
   }
 
   SceneEditor& editor_;

@@ -70,7 +70,8 @@ class Ready {
     const bool placed = want.predicate == Predicate::On || want.predicate == Predicate::Inside;
     for (const auto& thing : wants.things[want.thing].members) {
       if (!want.other) {
-        if (thing.slice) continue;
+        // What is to be warmed up was cooked before it is cut.
+        if (thing.slice && want.predicate != Predicate::Hot) continue;
         const std::string action(action_of(want.predicate));
         use(thing.category, want.predicate == Predicate::Filled ? "fill:" + want.symbol : action);
         continue;

@@ -188,8 +188,7 @@ Result<LayoutRecipe> read_recipe(const RecipeTexts& texts, const Knowledge& know
   return reader.finish();
 }
 
-Result<LayoutRecipe> load_recipe(const std::filesystem::path& folder, const Knowledge& knowledge,
-                                 std::shared_ptr<const Household> household) {
+Result<LayoutRecipe> load_recipe(const std::filesystem::path& folder, const Knowledge& knowledge) {
   const std::string name(name_of(knowledge.simulator()));
   RecipeTexts texts;
   const std::pair<const char*, std::string*> files[] = {{"_rooms.csv", &texts.rooms},
@@ -201,14 +200,14 @@ Result<LayoutRecipe> load_recipe(const std::filesystem::path& folder, const Know
     if (!text) return text.error();
     *content = std::move(*text);
   }
-  if (household == nullptr) {
-    auto read = read_household(folder.parent_path() / "sense", knowledge);
-    if (!read) return read.error();
-    household = std::make_shared<const Household>(std::move(*read));
-  }
+  auto household = read_household(folder.parent_path() / "sense", knowledge);
+  if (!household) return household.error();
   auto recipe = read_recipe(texts, knowledge);
   if (!recipe) return recipe;
-  recipe->household = std::move(household);
+  for (const ObjectRule& rule : recipe->objects) {
+    if (rule.mean > 0) household->note_room(rule.category, rule.room);
+  }
+  recipe->household = std::make_shared<const Household>(std::move(*household));
   const auto added = add_common(folder, knowledge.simulator(), *recipe);
   if (!added) return added.error();
   return recipe;

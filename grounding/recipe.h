@@ -69,9 +69,8 @@ Result<LayoutRecipe> read_recipe(const RecipeTexts& texts, const Knowledge& know
 /// Schema for a simulator that stands twice or nowhere.
 std::map<Simulator, HomeScale> read_home_scales(std::string_view where, std::string_view text,
                                                 std::vector<Error>& errors);
-/// The recipe with doors and scale. With the household of the tables in `sense` beside the folder, unless one is given.
-/// Errors: Io too.
-Result<LayoutRecipe> load_recipe(const std::filesystem::path& folder, const Knowledge& knowledge,
-                                 std::shared_ptr<const Household> household = nullptr);
+/// The recipe with doors and scale, and with the household of the tables in `sense` beside the folder, which knows the
+/// rules of small things. Errors: Io too.
+Result<LayoutRecipe> load_recipe(const std::filesystem::path& folder, const Knowledge& knowledge);
 
 }  // namespace unietp

@@ -29,6 +29,33 @@ std::vector<bool> usual_rooms(const Workspace& workspace, const Category& catego
   });
 }
 
+/// Whether food on or in the thing is eaten from it, so that it has to be clean.
+bool is_eaten_from(const Household& household, std::string_view dish, std::string_view food) {
+  const auto states = household.states_in_use(dish, std::string("carry:").append(household.kind_of(food)));
+  return std::find(states.begin(), states.end(), Predicate::Clean) != states.end();
+}
+
+/// Whether people have such a thing on or in the dish: food is not on dirty dishes, nor on those that are put away or
+/// to be washed. `around`: the category of what the dish is in, "" for none.
+bool serves(const Household& household, const Node& dish, std::string_view around, std::string_view food) {
+  if (!dish.movable || !is_eaten_from(household, dish.category, food)) return true;
+  return !dish.states.has(Predicate::Dirty) && !household.puts_away(around) && !household.washes(around);
+}
+
+/// The category of what a thing of a workspace that began as a home is in, as last read; "" for none.
+std::string_view around(const Workspace& workspace, const Node& node) {
+  if (workspace.home() == nullptr) return "";
+  const auto& present = workspace.current_state();
+  const auto entity = present.reader().find(node.id);
+  if (!entity) return "";
+  const auto& trace = present.now();
+  for (const auto& [relation, other] : trace.states.front().relations(*entity)) {
+    const auto host = workspace.places().find(trace.entities[other].id);
+    if (relation == Predicate::Inside && host) return workspace.scene().nodes[*host].category;
+  }
+  return "";
+}
+
 /// A thing that some room shall have.
 struct PlacementRequest {
   std::optional<std::size_t> room;  // nullopt: any
@@ -119,7 +146,9 @@ class Scatterer {
       if (!place.pose) continue;
       node.pose = *place.pose;
       carried_[host.node].push_back(request.category->name);
-      enter(workspace_.add(std::move(node)));
+      const std::size_t added = workspace_.add(std::move(node));
+      if (host.relation == Predicate::Inside) inside_[added] = workspace_.scene().nodes[host.node].category;
+      enter(added);
       return true;
     }
     return false;
@@ -215,6 +244,13 @@ class Scatterer {
     return household == nullptr || household->keeps(category, receptacle, workspace_.scene().rooms[room].type);
   }
 
+  bool serves(std::size_t node, const std::string& category) const {
+    if (workspace_.household() == nullptr) return true;
+    const auto around = inside_.find(node);
+    return unietp::serves(*workspace_.household(), workspace_.scene().nodes[node],
+                          around == inside_.end() ? std::string_view() : around->second, category);
+  }
+
   void add_hosts(std::size_t room, const std::string& category, const std::string& receptacle, Predicate relation,
                  double likelihood, std::vector<Host>& hosts) const {
     const auto there = rooms_[room].find(receptacle);
@@ -222,6 +258,7 @@ class Scatterer {
     const auto usual = recipe_.held.find(receptacle);
     const double mean = usual == recipe_.held.end() ? kHeldByOthers : usual->second;
     for (const std::size_t node : there->second) {
+      if (!serves(node, category)) continue;
       const auto carried = carried_.find(node);
       const double crowd = carried == carried_.end() ? 0 : static_cast<double>(carried->second.size()) / (mean + 1);
       const bool carried_about = workspace_.household() != nullptr && workspace_.scene().nodes[node].movable;
@@ -236,6 +273,7 @@ class Scatterer {
   std::vector<std::map<std::string, std::vector<std::size_t>, std::less<>>> rooms_;  // category → nodes, by room
   std::set<std::string_view> sliced_;                             // categories that only slicing makes
   std::map<std::size_t, std::vector<std::string_view>> carried_;  // categories of the things put on or in a node
+  std::map<std::size_t, std::string> inside_;                     // of a thing that was put in one: that category
 };
 
 }  // namespace
@@ -281,6 +319,9 @@ std::vector<Host> hosts_for(const Workspace& workspace, const Node& object) {
     const double on = receptacle.on / count, inside = receptacle.inside / count;
     for (const std::size_t node : there) {
       if (itself && nodes[node].id == object.id) continue;
+      if (household != nullptr && nodes[node].movable &&
+          !serves(*household, nodes[node], around(workspace, nodes[node]), object.category))
+        continue;
       const double usual = suits(node) * (household != nullptr && nodes[node].movable ? kOnMovable : 1);
       if (on > 0 && is_of_use(node, false)) hosts.push_back({node, Predicate::On, on * usual});
       if (inside > 0 && is_of_use(node, true)) hosts.push_back({node, Predicate::Inside, inside * usual});

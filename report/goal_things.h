@@ -28,6 +28,7 @@ struct GoalThings {
   int tasks = 0;
   int objects = 0, added = 0, moved = 0;  // summed over the tasks
   std::map<std::string, int> categories;  // tasks whose goal names it, by movable category
+  std::map<std::string, int> templates;   // tasks
   std::set<std::string> named;            // every category that some goal names
   int movable = 0;                        // categories of the knowledge base that are carried about
   /// Of the movable categories that are commonest in the homes, at most kCommonest, those that no goal names.

@@ -66,6 +66,7 @@ class Counter {
     ++funnel_[task.template_name].accepted;
     handled_[task.simulator].insert(task.categories.begin(), task.categories.end());
     things_[task.simulator].add(task.things);
+    ++things_[task.simulator].templates[task.template_name];
     homes_.emplace(task.layout, FirstTask{task.id});
     for (const auto& name : task.goal.operators) ++statistics_.operators[name];
     for (const auto& name : task.goal.predicates) ++statistics_.predicates[name];

@@ -82,12 +82,26 @@ struct DatasetStatistics {
 Result<DatasetStatistics> statistics_of_set(const FinishedSet& set, const std::vector<const Knowledge*>& knowledge,
                                             int threads);
 
+/// A category that is common in the homes of a data set and in none of its goals.
+struct CommonUnused {
+  std::string category;
+  std::vector<std::string> templates;  // those that could be about it with a usual goal
+  int tasks = 0;                       // of these templates on this simulator, which are about other things
+};
+/// A movable category that is the only one that some templates can be about, so that goals must name it often.
+struct SoleCategory {
+  std::string category;
+  std::vector<std::string> templates;
+  int tasks = 0, named = 0, all = 0;  // of these templates, whose goal names it, and all of the simulator
+};
 /// Of the categories of a simulator that some usual goal could be about, those that the goals of a data set do not
 /// name.
 struct UsualCoverage {
   std::string simulator;
   std::size_t usual = 0;             // how many categories there are
   std::vector<std::string> missing;  // sorted
+  std::vector<CommonUnused> common;  // of the movable categories commonest in the homes, those that no goal names
+  std::vector<SoleCategory> sole;    // sorted by category
 };
 /// By name of the data set. `unietp-usual-coverage/1`: data/schemas/usual-coverage.schema.json.
 std::string usual_coverage_json(const std::vector<std::pair<std::string, std::vector<UsualCoverage>>>& sets);

@@ -85,10 +85,22 @@ std::string usual_coverage_json(const std::vector<std::pair<std::string, std::ve
   for (const auto& [name, all] : sets) {
     Json simulators = Json::array();
     for (const UsualCoverage& one : all) {
+      Json common = Json::array();
+      for (const CommonUnused& unused : one.common)
+        common.push_back({{"category", unused.category}, {"templates", unused.templates}, {"tasks", unused.tasks}});
+      Json sole = Json::array();
+      for (const SoleCategory& only : one.sole)
+        sole.push_back({{"category", only.category},
+                        {"templates", only.templates},
+                        {"tasks", only.tasks},
+                        {"named", only.named},
+                        {"all", only.all}});
       simulators.push_back({{"simulator", one.simulator},
                             {"with_usual_goals", one.usual},
                             {"in_goals", one.usual - one.missing.size()},
-                            {"in_no_goal", one.missing}});
+                            {"in_no_goal", one.missing},
+                            {"common_in_no_goal", std::move(common)},
+                            {"only_choice", std::move(sole)}});
     }
     list.push_back({{"name", name}, {"simulators", std::move(simulators)}});
   }

@@ -23,16 +23,22 @@ std::string file_name(int number) {
 }  // namespace
 
 Result<MadeFolders> MadeFolders::make(const fs::path& folder) {
-  std::error_code code;
-  std::vector<fs::path> missing;  // the deepest first
-  for (fs::path path = one_name_of(folder); !path.empty() && !fs::exists(path, code); path = path.parent_path())
-    missing.push_back(path);
+  constexpr int kMostTries = 100;
   MadeFolders folders;
-  for (auto path = missing.rbegin(); path != missing.rend(); ++path) {
-    if (fs::create_directory(*path, code)) folders.made_.push_back(*path);  // false when another was faster
-    if (code) return Error{Error::Kind::Io, folder.string(), {}, "cannot create this folder: " + code.message()};
+  for (int tried = 1;; ++tried) {
+    std::error_code code;
+    std::vector<fs::path> missing;  // the deepest first
+    for (fs::path path = one_name_of(folder); !path.empty() && !fs::exists(path, code); path = path.parent_path())
+      missing.push_back(path);
+    code.clear();
+    for (auto path = missing.rbegin(); path != missing.rend() && !code; ++path) {
+      if (fs::create_directory(*path, code)) folders.made_.push_back(*path);  // false when another was faster
+    }
+    if (!code) return folders;
+    // Whoever made the folder above has just removed it.
+    if (code == std::errc::no_such_file_or_directory && tried < kMostTries) continue;
+    return Error{Error::Kind::Io, folder.string(), {}, "cannot create this folder: " + code.message()};
   }
-  return folders;
 }
 
 MadeFolders::~MadeFolders() {

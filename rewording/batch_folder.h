@@ -13,7 +13,7 @@
 namespace unietp {
 
 /// Folders that this process made on the way to one. Those of them that are empty when this ends are removed: who fails
-/// leaves none behind, and nobody removes what another process made.
+/// leaves none behind but those in which another process made something, and nobody removes what another process made.
 class MadeFolders {
  public:
   /// Makes `folder` and what is missing above it. Errors: Io.

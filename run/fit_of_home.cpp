@@ -105,8 +105,10 @@ bool has_likeness(const std::string& category, const Home& home, const Household
   return std::any_of(nodes.begin(), nodes.end(), [&](const Node& node) {
     if (!node.movable || node.category == category) return false;
     const std::string other = spoken_name(node.category, nouns);
-    // "Bottle of hand soap" has all the words of "soap bottle", and people call the one by the other.
-    const bool same_words = own.find(" of ") != std::string::npos && includes_name(own, other);
+    // "Bottle of hand soap" has all the words of "soap bottle", and people call the one by the other; a box of tissues
+    // is called no box.
+    const bool has_of = own.find(" of ") != std::string::npos || other.find(" of ") != std::string::npos;
+    const bool same_words = has_of && own.find(' ') != std::string::npos && includes_name(own, other);
     return household.may_mean(category, node.category) || other.ends_with(" " + own) || same_words;
   });
 }
@@ -156,7 +158,7 @@ bool rooms_suit(const Formula& goal, const Layout& layout, const Household& hous
     const std::string& type = home.scene.rooms[static_cast<std::size_t>(room)].type;
     const std::string& place = home.scene.nodes[node].category;
     return is_usual_room_of(place, type, knowledge) && household.keeps(category, place, type) &&
-           (!household.passes(place) || household.is_usual_in(category, type));
+           household.is_usual_in(category, type);
   };
   for (const auto& [category, places] : goal_places(goal)) {
     for (const std::string& place : places) {

@@ -203,6 +203,7 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
   timer.enter(Stage::Grounding);
   GroundingOptions grounding;
   grounding.likely = plan.least == Grade::Usual;
+  grounding.natural = configuration.sense > Grade::Senseless;  // also of a goal that is only tolerable
   grounding.dangerous = source.purpose.name == "safety";
   grounding.household = resources.recipe(slot.simulator).household.get();
   grounding.decoys = true;

@@ -18,17 +18,19 @@ std::size_t position(Style style) { return static_cast<std::size_t>(style); }
 
 /// How many slots are dealt a style for ten of another. Goals by function and by kind have many words to be said in,
 /// which more tasks show; of the others that have more, fewer goals find their words. "A couple of mugs" still names
-/// its category, and so has fewer.
+/// its category, as "if the lamp is on, turn it off" and "I'd like a hot potato" do, and so these have fewer.
 int share_of(Style style) {
   switch (style) {
     case Style::Function:
     case Style::Context:
-      return 60;
     case Style::Hypernym:
+      return 60;
     case Style::Request:
       return 30;
     case Style::Anaphora:
       return 14;
+    case Style::Condition:
+    case Style::ImplicitNeed:
     case Style::VagueQuantity:
       return 6;
     default:

@@ -275,6 +275,11 @@ Sense CommonSense::found(const Thing& thing, const Role& place) const {
   return {Grade::Usual, 1, {}, ""};
 }
 
+Sense CommonSense::alone(const Thing& thing) const {
+  if (const auto* rule = broken(thing, "single")) return refused_by(*rule);
+  return {Grade::Usual, 1, {}, ""};
+}
+
 Sense CommonSense::near(const Thing& thing, const Thing& landmark) const {
   for (const Role& room : in_rooms_) {
     if (grade(thing, room).grade == Grade::Usual && grade(landmark, room).grade == Grade::Usual)
@@ -289,6 +294,15 @@ bool CommonSense::belongs(const Thing& thing, const std::string& place) const {
     if (grade_of(score(thing.kind, at)) != Grade::Senseless) return true;
   }
   return false;
+}
+
+std::string CommonSense::place_in_room(std::string_view place, std::string_view room) const {
+  const Role there = std::string(kInRoom).append(room);
+  for (const Kind* narrower : kinds_.narrower(place)) {
+    const auto judged = judgments_.find({narrower->name, there});
+    if (judged != judgments_.end() && judged->second == Grade::Usual) return narrower->name;
+  }
+  return "";
 }
 
 std::vector<std::pair<std::string, std::string>> CommonSense::kept_apart() const {

@@ -75,10 +75,15 @@ class CommonSense {
   Sense grade(const Thing& thing, const Role& role) const;
   /// The rules on where a thing may be found before a task: roles such as `found:in:trash_can`. Usual when none speaks.
   Sense found(const Thing& thing, const Role& place) const;
+  /// The rules on things of which nobody asks for a single one (the role `single`). Usual when none speaks.
+  Sense alone(const Thing& thing) const;
   /// Whether people would tell a thing by what it is near: usual where both are usual in one type of room.
   Sense near(const Thing& thing, const Thing& landmark) const;
   /// True when the thing is at home on or in a place or machine, so that opening this one may be for its sake.
   bool belongs(const Thing& thing, const std::string& place) const;
+  /// The narrower kind that a place of this kind is in such a room: a cabinet in a kitchen is a kitchen cabinet. ""
+  /// when none of the narrower ones is usual there.
+  std::string place_in_room(std::string_view place, std::string_view room) const;
   /// Whether the name of one may mean the other, too: "the piece of fruit or the apple".
   bool may_mean(const Thing& name, const Thing& thing) const;
   /// True when some rule looks at this material, or speaks of things of this name, or the name is a generic word.

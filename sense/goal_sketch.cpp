@@ -59,7 +59,9 @@ struct PieceGrades::Table {
     for (const Want& want : piece.wants) append_want(key, want);
     key += '|';
     for (const Want& want : piece.found) append_want(key, want);
-    for (const Domain& domain : piece.things) {
+    for (std::size_t i = 0; i < piece.things.size(); ++i) {
+      const Domain& domain = piece.things[i];
+      key += piece.single[i] ? '1' : 'n';
       key += static_cast<char>('0' + static_cast<int>(domain.kind));
       for (const auto& member : domain.members) {
         key += member.slice ? '/' : ' ';

@@ -41,6 +41,7 @@ Wants piece_of(const Wants& whole, std::vector<Want> wants, std::vector<Want> fo
     if (at != old.end()) return static_cast<std::size_t>(at - old.begin());
     old.push_back(thing);
     piece.things.push_back(whole.things[thing]);
+    piece.single.push_back(whole.single[thing]);
     piece.things.back().where.clear();
     return old.size() - 1;
   };
@@ -68,8 +69,9 @@ std::vector<Want> with_carried(std::vector<Want> piece, const Wants& whole) {
 }
 
 /// True when what is known of the start bears on the want: dirt of a thing of which, or onto which, something is
-/// wanted, and the room of a place where something is to go.
+/// wanted, that a thing which goes somewhere is clean, and the room of a place where something is to go.
 bool concerns(const Want& want, const Want& known) {
+  if (known.predicate == Predicate::Clean) return is_place(want) && want.thing == known.thing;
   if (known.predicate == Predicate::Dirty) return want.thing == known.thing || want.other == known.thing;
   return known.predicate == Predicate::InRoom && is_place(want) && want.other == known.thing;
 }
@@ -87,11 +89,15 @@ class GoalGrader {
 
   TaskSense grade() {
     for (const auto& want : wants_.wants) part(want);
+    std::set<std::size_t> wanted;
+    for (const auto& want : wants_.wants) wanted.insert(want.thing);
+    for (const std::size_t thing : wanted) alone(thing);
     for (const auto& want : wants_.found) found(want);
     for (const auto& known : wants_.found) {
       for (const auto& want : wants_.wants) {
         if (!concerns(want, known)) continue;
         if (known.predicate == Predicate::Dirty) used_dirty(want, known);
+        if (known.predicate == Predicate::Clean) washed_clean(want);
         if (known.predicate == Predicate::InRoom) brought_into(want, known);
       }
     }
@@ -224,6 +230,21 @@ class GoalGrader {
     }
   }
 
+  /// One of what nobody asks for one of: an olive, a shoe. Where other things would do as well, these are only some of
+  /// what may be brought.
+  void alone(std::size_t variable) {
+    if (!wants_.single[variable]) return;
+    std::optional<Sense> best;
+    std::string words;
+    for (const auto& thing : things_of(variable)) {
+      Sense sense = sense_.alone(thing);
+      if (best && best->grade >= sense.grade) continue;
+      best = std::move(sense);
+      words = "a single " + thing.words;
+    }
+    if (best && best->grade != Grade::Usual) keep(std::move(words), std::move(*best));
+  }
+
   /// What the grade of a thing on or in a vessel is where the vessel goes: a plate of potatoes goes into a fridge for
   /// the sake of the potatoes. Nothing when that is not usual, or the vessel carries nothing.
   std::optional<Sense> carried_there(const Want& outer, const Role& role) const {
@@ -307,7 +328,8 @@ class GoalGrader {
     return {Grade::Usual, 1, {}, ""};
   }
 
-  /// A thing that goes to a place in a room comes into that room.
+  /// A thing that goes to a place in a room comes into that room, and the place is what people have there: a cabinet in
+  /// a kitchen is for dishes.
   void brought_into(const Want& want, const Want& known) {
     for (const auto& thing : things_of(want.thing)) {
       for (const auto& room : things_of(*known.other)) {
@@ -315,6 +337,13 @@ class GoalGrader {
         auto asked = in_room(thing.words, room);
         auto sense = sense_.grade(thing, asked.role);
         if (sense.grade == Grade::Senseless) keep(std::move(asked.words), std::move(sense));
+        for (auto place : things_of(known.thing)) {
+          place.kind = sense_.place_in_room(place.kind, room.words);
+          const auto there = with_other(want, thing.words, place);
+          if (!there) continue;
+          sense = sense_.grade(thing, there->role);
+          if (sense.grade != Grade::Usual) keep(there->words + " in the " + room.words, std::move(sense));
+        }
       }
     }
   }
@@ -332,6 +361,15 @@ class GoalGrader {
     }
     for (const auto& thing : things_of(dirt.thing))
       keep("use dirty " + thing.words, {Grade::Tolerable, 0.3, {"nobody is to wash it first"}, "dirty"});
+  }
+
+  /// What is told by being clean goes to no hamper and no dishwasher.
+  void washed_clean(const Want& want) {
+    const auto places = things_of(*want.other);
+    const auto washes = [&](const Thing& place) { return sense_.used_for(place.kind, PlaceUse::DirtyOrNot); };
+    if (std::none_of(places.begin(), places.end(), washes)) return;
+    for (const auto& thing : things_of(want.thing))
+      keep("wash clean " + thing.words, {Grade::Tolerable, 0.3, {"it is clean already"}, "dirty"});
   }
 
   /// Opening or switching on something in a task that puts a thing elsewhere which never goes there.

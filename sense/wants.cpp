@@ -7,11 +7,18 @@
 namespace unietp {
 namespace {
 
-/// What of a `:where` is looked at: the places and rooms of things, what they are near, and that they are dirty.
+/// What of a `:where` is looked at: the places and rooms of things, what they are near, and that they are dirty or
+/// clean.
 bool tells_of_the_start(Predicate predicate) {
   using enum Predicate;
   return predicate == On || predicate == Inside || predicate == InRoom || predicate == NextTo || predicate == Nearest ||
-         predicate == Dirty;
+         predicate == Dirty || predicate == Clean;
+}
+
+/// Whether one of what the part binds is enough.
+bool is_one(const Formula& part) {
+  if (part.op != Formula::Op::Count) return part.op == Formula::Op::Exists;
+  return part.number + (part.comparison == Comparison::Greater ? 1 : 0) <= 1;
 }
 
 class Collector {
@@ -60,6 +67,7 @@ class Collector {
     const auto before = variables_;
     variables_[part.variable] = wants.things.size();
     wants.things.push_back(part.domain);
+    wants.single.push_back(!negated && is_one(part));
     const bool outer = std::exchange(where_, true);
     for (const auto& where : part.domain.where) read(where, false);
     where_ = outer;

@@ -21,9 +21,10 @@ struct Want {
 /// What a goal asks for, in its order: of `first this, then that` the first comes first.
 struct Wants {
   std::vector<Domain> things;  // what the goal's variables range over
+  std::vector<bool> single;    // of each of these: the goal asks for one of them, not for all or for several
   std::vector<Want> wants;     // each once
-  std::vector<Want> found;     // what a `:where` says of things before the task: where they are, near what, and dirt
-  bool moves_agent = false;    // the agent itself is to be somewhere
+  std::vector<Want> found;   // what a `:where` says of things before the task: where they are, near what, whether clean
+  bool moves_agent = false;  // the agent itself is to be somewhere
 };
 
 /// Reads what must come about from a goal. What a goal only forbids, keeps as it is, assumes, or says to tell its

@@ -101,7 +101,12 @@ std::vector<std::size_t> hidden_from_sight(const Scene& scene) {
 
 double sight_radius(const Node& node) {
   const double body = node.opening > 0 ? node.size.norm() : node.size.norm() / 2;  // a door may be as wide as the body
-  return body + reach_of_states(node);
+  double out = 0;  // how far boards stand out of the box
+  for (const Board& board : node.boards) {
+    const Vec3 beyond = board.center.cwiseAbs() + board.size / 2 - node.size / 2;
+    out = std::max(out, beyond.cwiseMax(0).norm());
+  }
+  return body + out + reach_of_states(node);
 }
 
 const ShapeFamily* family_of(const Node& node, Simulator simulator) {

@@ -102,6 +102,20 @@ TEST(TableBuilder, KeepsEveryModelAndKnowsWhichGoWhereTheCategoryGoes) {
   EXPECT_EQ(k.asset("of_nothing"), nullptr);
 }
 
+TEST(TableBuilder, TakesMaterialsFromMetadataUnlessOurTablesHaveThem) {
+  const WordsAlone words;
+  TableBuilder builder(Simulator::Ai2thor, words.path());
+  for (const char* name : {"Cup", "Box"}) {
+    RawCategory category = raw(name, true);
+    category.materials = {"glass", "paper"};
+    builder.add(category);
+  }
+  builder.add(raw("Plate", true));
+  EXPECT_EQ(builder.find("Cup")->materials, (std::vector<std::string>{"glass", "paper"}));
+  EXPECT_EQ(builder.find("Box")->materials, std::vector<std::string>{"cardboard"}) << "curated/ai2thor/category.csv";
+  EXPECT_EQ(builder.find("Plate")->materials, std::vector<std::string>{"ceramic"}) << "the lexicon";
+}
+
 TEST(TableBuilder, ASynonymOfTwoCategoriesOrOfTheNameOfOneIsLeftOut) {
   const WordsAlone words;
   TableBuilder builder(Simulator::Ai2thor, words.path());

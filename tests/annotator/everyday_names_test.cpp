@@ -120,6 +120,17 @@ TEST(Tops, AreSaidOfCabinetsWithARoomToo) {
   EXPECT_EQ(with_tops("Put the mug on a kitchen counter.", nouns), "Put the mug on a kitchen counter.");
 }
 
+TEST(OneOfSeveral, IsSaidOfWhatIsClosedOrTurnedOff) {
+  const NounTable nouns(committed_knowledge(Simulator::Ai2thor), committed_names());
+  EXPECT_EQ(with_one_of("Close a book and put it in the drawer.", nouns),
+            "Close one of the books and put it in the drawer.");
+  EXPECT_EQ(with_one_of("Turn off a desk lamp.", nouns), "Turn off one of the desk lamps.");
+  EXPECT_EQ(with_one_of("Turn a desk lamp off.", nouns), "Turn one of the desk lamps off.");
+  for (const char* as_it_is :
+       {"Open a book.", "Turn on a desk lamp.", "Turn a desk lamp on.", "Close the book.", "Close something to read."})
+    EXPECT_EQ(with_one_of(as_it_is, nouns), as_it_is);
+}
+
 TEST(RareNames, AreNotSaid) {
   EXPECT_FALSE(committed_names()->is_said("multiport hub", English::Us));
   EXPECT_FALSE(committed_names()->is_said("rucksack", English::Us));

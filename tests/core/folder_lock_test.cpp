@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <array>
+#include <stop_token>
+#include <thread>
 
 #include "core/files.h"
 #include "core/staged_folder.h"
@@ -48,6 +50,20 @@ TEST(FolderLock, ASecondOneIsRefusedWithTheProcessThatHasIt) {
   }
   EXPECT_EQ(names_in(folder.path()), (Names{"data", "link"}));
   EXPECT_TRUE(FolderLock::take(folder.at("data")));
+}
+
+TEST(FolderLock, IsTakenThoughTheFoldersAboveAreRemovedMeanwhile) {
+  constexpr int kRounds = 200;
+  const ScratchFolder folder;
+  const std::jthread remover([&](const std::stop_token& stop) {
+    std::error_code code;
+    while (!stop.stop_requested())
+      for (const char* name : {"a/b/c", "a/b", "a"}) fs::remove(folder.at(name), code);
+  });
+  for (int round = 0; round < kRounds; ++round) {
+    const auto lock = FolderLock::take(folder.at("a/b/c/data"));
+    ASSERT_TRUE(lock) << "round " << round << ": " << lock.error().message;
+  }
 }
 
 TEST(FolderLock, OneThatAKilledProcessHadIsFree) {

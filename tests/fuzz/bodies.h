@@ -20,9 +20,11 @@ bool tables_body(std::string_view text);
 /// An override file over small tables.
 bool override_body(std::string_view text);
 bool gzip_body(std::string_view text);
-/// ProcTHOR's models, iTHOR's scenes, BEHAVIOR's models and its table of categories, with a line `====` between them.
+/// A question about sense, such as "place Mug on Table".
 bool question_body(std::string_view text);
+/// The tables of common sense, one after the other, with a line `====` between them.
 bool sense_body(std::string_view text);
+/// ProcTHOR's models, iTHOR's scenes, BEHAVIOR's models and its table of categories, with a line `====` between them.
 bool upstream_body(std::string_view text);
 /// BEHAVIOR's table of categories, tree of synsets, models, rooms and annotations, and our table of hypernyms, with a
 /// line `====` between them.

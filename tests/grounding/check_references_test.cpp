@@ -109,6 +109,9 @@ TEST(CheckReferences, MeasureNearnessAmongWhatIsSeenInOneRoom) {
   };
   EXPECT_EQ(with("on mug_1 desk_1"), "");
   EXPECT_EQ(with("on mug_1 fridge"), "it is on or in that");
+  EXPECT_EQ(odd(kNearestFridge, {"nearest mug_1 fridge", "in_room mug_1 kitchen", "in_room mug_2 kitchen",
+                                 "in_room fridge kitchen", "on mug_1 desk_1", "on desk_1 fridge"}),
+            "it is on or in that");
   EXPECT_EQ(with("inside mug_1 fridge"), "it is shut away");
   EXPECT_EQ(with("inside mug_2 fridge"), "no other one is seen in the room");
   EXPECT_EQ(odd(kNearestFridge, {"nearest mug_1 fridge", "in_room mug_1 office", "in_room fridge kitchen"}),

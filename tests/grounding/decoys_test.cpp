@@ -122,6 +122,37 @@ TEST_F(DecoyStart, HasOtherThingsThatWereMovedToTheSameRooms) {
   EXPECT_GE(moved_others, 2 * moved_mugs);
 }
 
+/// "Put a spoon on the counter" where a spoon has to be in the living room, as in no home of Habitat: so are other
+/// things that homes do not have where they are then.
+TEST_F(DecoyStart, HasOtherThingsAstrayWhereHomesHaveNone) {
+  style_ = style_of(Simulator::Habitat);
+  ASSERT_TRUE(style_);
+  const Household& household = *style_->recipe.household;
+  int starts = 0, astray = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    const Home lived_in = home(seed);
+    GroundingOptions options;
+    options.household = &household;
+    options.decoys = true;
+    const auto result = ground(specification("(exists (?a - spoon) (exists (?b - counter) (at-end (on ?a ?b))))",
+                                             {"(exists (?a - spoon) (exists (?r - living_room) (in_room ?a ?r)))",
+                                              "(forall (?a - spoon) (not (exists (?b - counter) (on ?a ?b))))"}),
+                               lived_in, style_->knowledge, style_->profile, options, Rng(7));
+    const auto* grounded = std::get_if<Grounded>(&result);
+    if (grounded == nullptr || lived_in.places.of("spoon").empty()) continue;
+    ++starts;
+    for (const Node& node : grounded->episode.start.nodes) {
+      const auto before = lived_in.places.find(node.id);
+      if (!node.movable || !before || node.category == "spoon" ||
+          lived_in.scene.nodes[*before].pose.position == node.pose.position)
+        continue;
+      astray += household.is_found_in(node.category, room_of(grounded->episode.start, node)->type) ? 0 : 1;
+    }
+  }
+  EXPECT_GE(starts, 3);
+  EXPECT_GE(astray, 8 * starts);
+}
+
 /// "Hold a mug" in a home that gets two more of them, and all are dirty: so are others that were added and can be.
 TEST_F(DecoyStart, HasOtherThingsThatWereAddedInTheSameStatesAndPlaces) {
   int washable = 0, dirty = 0, others = 0, together = 0;

@@ -74,6 +74,10 @@ bool contains_name(const std::vector<std::string>& all, const std::string& one) 
   return std::find(all.begin(), all.end(), one) != all.end();
 }
 
+bool contains_state(const std::vector<Predicate>& all, Predicate one) {
+  return std::find(all.begin(), all.end(), one) != all.end();
+}
+
 TEST_F(LikelyStart, LeavesNoDirtyDishesInCabinets) {
   EXPECT_FALSE(where("Plate", kDirtyPlates, 0).empty());
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
@@ -129,6 +133,27 @@ TEST_F(LikelyStart, HasOneOfWhatIsToBeWashedOutOfTheCabinets) {
     EXPECT_FALSE(all_put_away(start->episode.start)) << "home " << seed;
   }
   EXPECT_GT(homes, 0) << "no home has all its plates in cabinets";
+}
+
+TEST_F(LikelyStart, HasNothingDirtyInASinkThatIsToGoElsewhere) {
+  int dirty = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    live_in(seed);
+    const auto result = grounded({"(exists (?a - Mug) (dirty ?a))"}, seed, false,
+                                 "(exists (?a - Mug) (exists (?b - CounterTop) (at-end (on ?a ?b))))");
+    const auto* start = std::get_if<Grounded>(&result);
+    if (start == nullptr) continue;
+    const Scene& scene = start->episode.start;
+    for (const Node& node : scene.nodes) {
+      if (node.category != "Mug" || !node.states.has(Predicate::Dirty)) continue;
+      ++dirty;
+      for (const Edge& edge : scene.edges) {
+        if (edge.from != node.id || edge.relation != Predicate::Inside) continue;
+        EXPECT_NE(find_node(scene, edge.to)->category, "Sink") << node.id << " in home " << seed;
+      }
+    }
+  }
+  EXPECT_GT(dirty, 3);
 }
 
 TEST_F(LikelyStart, IsRefusedWhenNoHomeLooksLikeIt) {
@@ -210,6 +235,18 @@ TEST(Household, SaysWhichRoomsSuitThings) {
   EXPECT_FALSE(household.keeps("plate", "breakfast_table", "bathroom"));
 }
 
+TEST(Household, KnowsInWhichRoomsHomesHaveThings) {
+  const auto style = style_of(Simulator::Habitat);
+  ASSERT_TRUE(style);
+  const Household& household = *style->recipe.household;
+  EXPECT_TRUE(household.is_found_in("spoon", "kitchen"));
+  EXPECT_FALSE(household.is_found_in("spoon", "living_room"));
+  EXPECT_GE(household.in_room("spoon", "living_room"), Household::kNoRoom) << "though it may be there";
+  EXPECT_TRUE(household.is_found_in("clothes", "bathroom")) << "real homes have them there";
+  EXPECT_TRUE(household.is_found_in("platter", "dining_room")) << "no real home has it, and it is usual there";
+  EXPECT_TRUE(household.is_found_in("no such category", "kitchen"));
+}
+
 TEST(Household, KeepsNothingWhereThingsAreOnlyHeated) {
   const auto style = style_of(Simulator::Behavior);
   ASSERT_TRUE(style);
@@ -221,6 +258,34 @@ TEST(Household, KeepsNothingWhereThingsAreOnlyHeated) {
   EXPECT_EQ(weight("brisket", Predicate::Inside, "oven"), 0) << "a rule says where nobody finds food";
   EXPECT_GT(weight("plate", Predicate::Inside, "dishwasher"), 0.01);
   EXPECT_EQ(weight("plate", Predicate::Inside, "fridge"), 0) << "a plate is in a fridge for the food on it";
+}
+
+TEST(Homes, HaveFoodOnCleanDishesThatAreAtHand) {
+  const auto style = style_of(Simulator::Behavior);
+  ASSERT_TRUE(style);
+  const Household& household = *style->recipe.household;
+  int dishes = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    const auto scene = full_home_of(*style, seed);
+    ASSERT_TRUE(scene) << format(scene.error());
+    for (const Edge& edge : scene->edges) {
+      const Node* dish = find_node(*scene, edge.to);
+      if ((edge.relation != Predicate::On && edge.relation != Predicate::Inside) || dish == nullptr || !dish->movable)
+        continue;
+      const auto food = household.kind_of(find_node(*scene, edge.from)->category);
+      const auto states = household.states_in_use(dish->category, std::string("carry:").append(food));
+      if (!contains_state(states, Predicate::Clean)) continue;
+      ++dishes;
+      EXPECT_FALSE(dish->states.has(Predicate::Dirty)) << edge.from << " on " << dish->id << " in home " << seed;
+      for (const Edge& around : scene->edges) {
+        if (around.from != dish->id || around.relation != Predicate::Inside) continue;
+        const auto& place = find_node(*scene, around.to)->category;
+        EXPECT_FALSE(household.puts_away(place) || household.washes(place))
+            << edge.from << " on " << dish->id << " in " << around.to << " in home " << seed;
+      }
+    }
+  }
+  EXPECT_GT(dishes, 3);
 }
 
 TEST(Homes, HaveNoFoodWhereNobodyKeepsIt) {

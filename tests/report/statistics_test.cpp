@@ -239,14 +239,20 @@ TEST(Statistics, AreTheSameForAnyNumberOfThreads) {
 }
 
 TEST(Statistics, OfUsualCategoriesAreWrittenAsJson) {
-  const std::string text = usual_coverage_json({{"mine", {{"ai2thor", 5, {"Mug", "Pen"}}, {"habitat", 0, {}}}}});
+  const std::string text = usual_coverage_json(
+      {{"mine",
+        {{"ai2thor", 5, {"Mug", "Pen"}, {{"Pen", {"pick-up-one"}, 2}}, {{"Cup", {"pour-wine-into-one"}, 3, 4, 9}}},
+         {"habitat", 0, {}, {}, {}}}}});
   const auto json = nlohmann::json::parse(text);
   EXPECT_EQ(json["format"], "unietp-usual-coverage/1");
   const auto& of_set = json["sets"][0];
   EXPECT_EQ(of_set["name"], "mine");
   EXPECT_EQ(of_set["simulators"][0],
             nlohmann::json::parse(
-                R"({"simulator": "ai2thor", "with_usual_goals": 5, "in_goals": 3, "in_no_goal": ["Mug", "Pen"]})"));
+                R"({"simulator": "ai2thor", "with_usual_goals": 5, "in_goals": 3, "in_no_goal": ["Mug", "Pen"],
+                    "common_in_no_goal": [{"category": "Pen", "templates": ["pick-up-one"], "tasks": 2}],
+                    "only_choice": [{"category": "Cup", "templates": ["pour-wine-into-one"], "tasks": 3, "named": 4,
+                                     "all": 9}]})"));
   EXPECT_EQ(of_set["simulators"][1]["in_goals"], 0);
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <barrier>
 #include <filesystem>
+#include <stop_token>
 #include <thread>
 
 #include "core/files.h"
@@ -83,6 +84,20 @@ TEST(BatchFolder, IsNotTakenAwayByAnotherRunThatBeginsOrEndsAtTheSameTime) {
   };
   { const std::jthread one(run, 0), other(run, 1); }
   EXPECT_GE(written[0] + written[1], kRounds) << "both were refused";
+}
+
+TEST(MadeFolders, AreMadeThoughAnotherRunRemovesThoseAboveMeanwhile) {
+  constexpr int kRounds = 200;
+  const ScratchFolder folder;
+  const std::jthread other([&](const std::stop_token& stop) {
+    std::error_code code;
+    while (!stop.stop_requested())
+      for (const char* name : {"a/b/c", "a/b", "a"}) std::filesystem::remove(folder.at(name), code);
+  });
+  for (int round = 0; round < kRounds; ++round) {
+    const auto made = MadeFolders::make(folder.at("a/b/c"));
+    ASSERT_TRUE(made) << "round " << round << ": " << made.error().message;
+  }
 }
 
 }  // namespace

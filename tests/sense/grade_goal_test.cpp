@@ -141,6 +141,40 @@ TEST(GradeGoal, WhatGoesToAPlaceComesIntoItsRoom) {
   EXPECT_THAT(odd.parts.front().part, HasSubstr("potato in the bathroom"));
 }
 
+TEST(GradeGoal, ACabinetInAKitchenIsAKitchenCabinet) {
+  const auto goal = [](const std::string& room) {
+    return "(exists (?a - Towel) (exists (?b - (Cabinet :where (exists (?r - " + room +
+           ") (in_room ?b ?r)))) (at-end (on ?a ?b))))";
+  };
+  EXPECT_EQ(graded(goal("bathroom")).grade, Grade::Usual);
+  const auto odd = graded(goal("kitchen"));
+  EXPECT_EQ(odd.grade, Grade::Senseless);
+  EXPECT_THAT(odd.parts.front().part, HasSubstr("towel on cabinet in the kitchen"));
+}
+
+TEST(GradeGoal, NobodyAsksForASingleOneOfWhatComesInNumbers) {
+  const auto goal = [](const std::string& variable) {
+    return "(exists (?b - fridge) (" + variable + " (at-end (inside ?a ?b))))";
+  };
+  const auto one = graded(goal("exists (?a - olive)"), Simulator::Behavior);
+  EXPECT_EQ(one.grade, Grade::Senseless);
+  EXPECT_EQ(one.parts.front().part, "a single olive");
+  EXPECT_EQ(one.parts.front().sense.why, "rule:single-piece");
+  EXPECT_NE(graded(goal("forall (?a - olive)"), Simulator::Behavior).grade, Grade::Senseless);
+  EXPECT_NE(graded(goal("exists (?a - (either olive apple))"), Simulator::Behavior).grade, Grade::Senseless)
+      << "another thing will do";
+  const std::string several = "(exists (?b - fridge) (at-end (count >= 2 (?a - olive) (inside ?a ?b))))";
+  EXPECT_NE(graded(several, Simulator::Behavior).grade, Grade::Senseless);
+}
+
+TEST(GradeGoal, NobodyWashesWhatIsToldByBeingClean) {
+  const auto goal = [](const std::string& place) {
+    return "(exists (?a - (Mug :where (clean ?a))) (exists (?b - " + place + ") (at-end (inside ?a ?b))))";
+  };
+  EXPECT_EQ(graded(goal("Cabinet")).grade, Grade::Usual);
+  EXPECT_EQ(graded(goal("Sink")).grade, Grade::Tolerable);
+}
+
 TEST(GradeGoal, SlicesAreGradedAsSlices) {
   EXPECT_EQ(graded("(exists (?s - Lettuce/slice) (at-end (hot ?s)))").grade, Grade::Senseless);
   EXPECT_EQ(graded("(exists (?s - Bread/slice) (at-end (hot ?s)))").grade, Grade::Usual);

@@ -28,6 +28,7 @@ TEST(UseStates, SayHowPeopleFindWhatTheyUse) {
   EXPECT_THAT(uses.of("plate", "in:dishwasher", kinds), ElementsAre(Predicate::Dirty));
   EXPECT_THAT(uses.of("plate", "in:kitchen_cabinet", kinds), ElementsAre(Predicate::Clean));
   EXPECT_THAT(uses.of("plate", "on:dining_table", kinds), ElementsAre(Predicate::Clean));
+  EXPECT_THAT(uses.of("vase", "in:storage_cabinet", kinds), ElementsAre(Predicate::Empty));
   EXPECT_THAT(uses.of("garment", "in:hamper", kinds), ElementsAre(Predicate::Dirty));
   EXPECT_THAT(uses.of("cup", "fill:coffee", kinds), ElementsAre(Predicate::Clean));
   EXPECT_THAT(uses.of("meal", "heat", kinds), ElementsAre(Predicate::Cooked));
@@ -42,6 +43,7 @@ TEST(UseStates, OfWhatCarriesDependOnWhatItCarries) {
   const auto uses = committed_uses();
   const auto& kinds = test::committed_sense().kinds();
   EXPECT_THAT(uses.of("plate", "carry:fruit", kinds), ElementsAre(Predicate::Clean));
+  EXPECT_THAT(uses.of("bakeware", "carry:meal", kinds), ElementsAre(Predicate::Clean, Predicate::Empty));
   EXPECT_THAT(uses.of("plate", "carry:cutlery", kinds), IsEmpty());
   EXPECT_THAT(uses.of("shelf", "carry:fruit", kinds), IsEmpty());
 }

@@ -67,6 +67,14 @@ TEST(Wants, WhereSaysWhatThingsAreNearAndThatTheyAreDirty) {
   EXPECT_EQ(wants.found[1].predicate, Predicate::Nearest);
 }
 
+TEST(Wants, SaysOfWhatOneIsEnough) {
+  const auto single = [](const std::string& goal) { return read(goal).single; };
+  EXPECT_EQ(single("(exists (?a - Mug) (forall (?b - Plate) (at-end (next_to ?a ?b))))"), (std::vector{true, false}));
+  EXPECT_EQ(single("(at-end (count = 1 (?a - Mug) (held ?a)))"), (std::vector{true}));
+  EXPECT_EQ(single("(at-end (count > 1 (?a - Mug) (hot ?a)))"), (std::vector{false}));
+  EXPECT_EQ(single("(at-end (count = 0 (?a - Mug) (hot ?a)))"), (std::vector{false})) << "none, not one";
+}
+
 TEST(Wants, TheAgentMayBeWhatMoves) {
   EXPECT_TRUE(read("(exists (?r - kitchen) (at-end (in_room agent ?r)))").moves_agent);
   EXPECT_FALSE(read("(exists (?a - Mug) (at-end (held ?a)))").moves_agent);

@@ -6,6 +6,7 @@
 #include "core/rng.h"
 #include "simulation/view.h"
 #include "simulation/wall_shadow.h"
+#include "tests/simulation/by_rays.h"
 #include "tests/simulation/kitchen.h"
 
 namespace unietp {
@@ -87,6 +88,40 @@ TEST(Viewer, FindsTheFirstOfThoseWithTheSameBox) {
   EXPECT_EQ(viewer.first_with_box(all, 0, scene.agent, profile), std::nullopt);
   EXPECT_EQ(viewer.first_with_box(all, 1, scene.agent, profile), a);
   EXPECT_EQ(viewer.first_with_box(all, 2, scene.agent, profile), viewer.box_of(all, 2, scene.agent, profile));
+}
+
+/// A signal whose arm reaches through the wall: however far the eye looks, now and before, the wall hides the arm.
+TEST(Viewer, DrawsTheWallsBeforeBoardsThatStandOutOfTheirObject) {
+  const Profile profile = *load_profile(UNIETP_SOURCE_DIR "/data/simulators", Simulator::Ai2thor);
+  Scene scene = testing::wide_kitchen(Simulator::Ai2thor);
+  scene.nodes = {};
+  scene.agent.position = {1.5, 2};
+  scene.agent.yaw = scene.agent.pitch = 0;
+  const auto add_box = [&](const char* id, double ahead, double aside, double side, bool arm) {
+    Node box;
+    box.id = id;
+    box.category = "Signal";
+    box.archetype = Archetype::Box;
+    box.size = Vec3::Constant(side);
+    box.boards = {{Vec3::Zero(), box.size}};
+    if (arm) box.boards.push_back({{7, 0, 0}, {0.1, 4, 4}});
+    box.pose.position = {1.5 + ahead, 2 + aside, profile.camera_height_m};
+    scene.nodes.push_back(std::move(box));
+  };
+  add_box("signal", 0.4, 0, 0.05, true);
+  add_box("shelf", 3, 0.5, 0.2, false);
+  Rays rays;
+  const auto by_rays = testing::pixels_by_rays(segmentation_of(scene, profile, rays), scene.nodes.size());
+  Viewer viewer(scene);
+  const ViewedScene all = viewed(scene);
+  const std::vector<VisibleObject> near = viewer.view(all, scene.agent, profile, 0.5);
+  ASSERT_EQ(near.size(), 1U);
+  EXPECT_EQ(near[0].box, by_rays[0].box);
+  const std::vector<VisibleObject> both = viewer.view(all, scene.agent, profile, 20);
+  ASSERT_EQ(both.size(), 2U);
+  EXPECT_EQ(both[0].box, by_rays[1].box);
+  EXPECT_EQ(both[1].box, by_rays[0].box);
+  EXPECT_EQ(viewer.box_of(all, 0, scene.agent, profile), by_rays[0].box);
 }
 
 }  // namespace

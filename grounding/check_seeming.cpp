@@ -1,0 +1,101 @@
+#include "grounding/check_seeming.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "logic/evaluate.h"
+
+namespace unietp {
+namespace {
+
+using Op = Formula::Op;
+
+class SeemingRelations {
+ public:
+  SeemingRelations(const Trace& trace, const Knowledge& knowledge) : trace_(trace), knowledge_(knowledge) {}
+
+  void read(const Formula& formula) {
+    if (formula.op == Op::Atom) compare(formula);
+    const bool binds =
+        formula.op == Op::Forall || formula.op == Op::Exists || formula.op == Op::Count || formula.op == Op::Number;
+    if (binds) {
+      // What a description tells apart are all things of the category.
+      scope_.emplace_back(formula.variable, bare(formula.domain));
+      for (const Formula& where : formula.domain.where) read(where);
+      scope_.back().second = closed(formula.domain, formula.variable);
+    }
+    for (const Formula& child : formula.children) read(child);
+    if (binds) scope_.pop_back();
+  }
+
+  std::optional<GroundingFailure> found() const { return found_; }
+
+ private:
+  static Domain bare(Domain domain) {
+    domain.where.clear();
+    return domain;
+  }
+  /// Without a description that speaks of other variables.
+  static Domain closed(const Domain& domain, const std::string& variable) {
+    for (const Formula& where : domain.where)
+      for (const std::string& free : free_variables(where))
+        if (free != variable) return bare(domain);
+    return domain;
+  }
+
+  std::vector<EntityIndex> members(const Term& term) const {
+    if (term.kind != Term::Kind::Variable) return {};
+    const auto bound =
+        std::find_if(scope_.rbegin(), scope_.rend(), [&](const auto& one) { return one.first == term.name; });
+    return bound == scope_.rend() ? std::vector<EntityIndex>() : members_of(bound->second, bound->first, trace_);
+  }
+
+  void compare(const Formula& fact) {
+    if (found_ || (fact.predicate != Predicate::On && fact.predicate != Predicate::Inside)) return;
+    const Facts& now = trace_.states.front();
+    const auto things = members(fact.terms[0]), places = members(fact.terms[1]);
+    for (const EntityIndex thing : things)
+      for (const EntityIndex place : places) {
+        if (thing == place || now.holds(fact.predicate, thing, place)) continue;
+        if (!is_carried_to(thing, place, fact.predicate)) continue;
+        found_ = {RejectionReason::PartHolds,
+                  trace_.entities[thing].id + " seems to be at " + trace_.entities[place].id +
+                      ": it is on or in something that is",
+                  {}};
+        return;
+      }
+  }
+
+  bool is_movable(EntityIndex thing) const {
+    const Category* category = knowledge_.find(trace_.entities[thing].category);
+    return category != nullptr && category->movable;
+  }
+
+  /// Whether it is on or in something movable that is at the place, at most so many levels up: contacts may go in a
+  /// circle.
+  bool is_carried_to(EntityIndex thing, EntityIndex place, Predicate relation, int levels = 4) const {
+    const Facts& now = trace_.states.front();
+    const auto carries = [&](EntityIndex below) {
+      return below != thing && below != place && is_movable(below) &&
+             (now.holds(relation, below, place) || (levels > 1 && is_carried_to(below, place, relation, levels - 1)));
+    };
+    return now.any_related(Predicate::On, thing, carries) || now.any_related(Predicate::Inside, thing, carries);
+  }
+
+  const Trace& trace_;
+  const Knowledge& knowledge_;
+  std::vector<std::pair<std::string, Domain>> scope_;  // bound variables, innermost last
+  std::optional<GroundingFailure> found_;
+};
+
+}  // namespace
+
+std::optional<GroundingFailure> check_seeming(const Formula& goal, const Trace& trace, const Knowledge& knowledge) {
+  SeemingRelations relations(trace, knowledge);
+  relations.read(goal);
+  return relations.found();
+}
+
+}  // namespace unietp

@@ -1,0 +1,79 @@
+// Whether what a goal asks for seems to be so already.
+#include "grounding/check_seeming.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "homes.h"
+
+namespace unietp {
+namespace {
+
+struct Fact {
+  std::string thing;
+  Predicate relation;
+  std::string place;
+};
+
+/// An apple, two bowls, a counter, a table and a fridge, of which the facts hold.
+Trace home_with(const std::vector<Fact>& facts) {
+  Trace trace;
+  const std::array<std::array<std::string, 2>, 6> objects{{{"apple", "Apple"},
+                                                           {"bowl_1", "Bowl"},
+                                                           {"bowl_2", "Bowl"},
+                                                           {"counter", "CounterTop"},
+                                                           {"table", "DiningTable"},
+                                                           {"fridge", "Fridge"}}};
+  for (const auto& [id, category] : objects) trace.entities.push_back({Entity::Kind::Object, id, category, ""});
+  const auto index = [&](const std::string& id) {
+    EntityIndex at;
+    while (trace.entities[at].id != id) ++at;
+    return at;
+  };
+  Facts now;
+  for (EntityIndex at; at.index() < trace.entities.size(); ++at) now.set_exists(at);
+  for (const Fact& fact : facts) now.set(fact.relation, index(fact.thing), index(fact.place));
+  trace.states.push_back(std::move(now));
+  return trace;
+}
+
+bool seems(const std::string& goal, const std::vector<Fact>& facts) {
+  const auto problem =
+      check_seeming(parsed(goal, FormulaUse::Goal), home_with(facts), committed_knowledge(Simulator::Ai2thor));
+  EXPECT_TRUE(!problem || problem->reason == RejectionReason::PartHolds);
+  return problem.has_value();
+}
+
+using enum Predicate;
+const std::string kOntoCounter = "(exists (?a - Apple) (exists (?b - CounterTop) (at-end (on ?a ?b))))",
+                  kIntoFridge = "(exists (?a - Apple) (exists (?b - Fridge) (at-end (inside ?a ?b))))";
+
+TEST(Seeming, IsWhatIsInABowlAtThePlace) {
+  EXPECT_TRUE(seems(kOntoCounter, {{"apple", Inside, "bowl_1"}, {"bowl_1", On, "counter"}}));
+  EXPECT_TRUE(seems(kOntoCounter, {{"apple", On, "bowl_1"}, {"bowl_1", On, "bowl_2"}, {"bowl_2", On, "counter"}}));
+  EXPECT_TRUE(seems(kIntoFridge, {{"apple", On, "bowl_1"}, {"bowl_1", Inside, "fridge"}}));
+  EXPECT_FALSE(seems(kOntoCounter, {{"apple", Inside, "bowl_1"}, {"bowl_1", On, "table"}}));
+  EXPECT_FALSE(seems(kOntoCounter, {{"apple", On, "table"}, {"bowl_1", On, "counter"}}));
+}
+
+TEST(Seeming, IsNothingThatIsInFurniture) {
+  EXPECT_FALSE(seems(kOntoCounter, {{"apple", Inside, "fridge"}, {"fridge", On, "counter"}}));
+}
+
+TEST(Seeming, IsLookedForInDescriptionsAndProhibitions) {
+  const std::vector<Fact> both{
+      {"bowl_1", On, "counter"}, {"bowl_2", On, "apple"}, {"apple", On, "counter"}, {"apple", On, "bowl_1"}};
+  EXPECT_TRUE(seems("(exists (?a - (Bowl :where (exists (?p - CounterTop) (on ?a ?p)))) (at-end (clean ?a)))", both));
+  EXPECT_TRUE(seems("(at-end (forall (?a - Bowl) (not (exists (?p - CounterTop) (on ?a ?p)))))", both));
+  EXPECT_FALSE(seems("(exists (?a - (Bowl :where (clean ?a))) (exists (?b - CounterTop) (at-end (on ?a ?b))))", both));
+}
+
+TEST(Seeming, EndsWhereContactsGoInACircle) {
+  EXPECT_FALSE(seems(kOntoCounter, {{"apple", On, "bowl_1"}, {"bowl_1", On, "bowl_2"}, {"bowl_2", On, "bowl_1"}}));
+}
+
+}  // namespace
+}  // namespace unietp
