@@ -8,6 +8,7 @@
 #include "annotator/authored.h"
 #include "annotator/conditions.h"
 #include "annotator/contrast.h"
+#include "annotator/everyday_phrases.h"
 #include "annotator/function_phrases.h"
 #include "annotator/home_counts.h"
 #include "annotator/home_facts.h"

@@ -36,17 +36,6 @@ std::string where_of(std::string_view use);
 /// The same of every such phrase behind a preposition in a text: "in the place where we wash our hands".
 std::string with_plain_places(std::string text);
 
-/// "The dining room table" for "the dining table in the dining room"; tokens_of takes it back.
-std::string with_room_tables(std::string text);
-
-/// "On top of the cabinet" for "on the cabinet", which is heard as a slip for "in".
-class NounTable;
-std::string with_tops(std::string text, const NounTable& nouns);
-
-/// "Close one of the books" for "close a book", "turn one of the lamps off": of what is open or on people mean certain
-/// ones.
-std::string with_one_of(std::string text, const NounTable& nouns);
-
 /// "a mug", "an apple", "an hour glass", "a utensil": by pronunciation; "half an apple".
 std::string with_article(const std::string& noun);
 

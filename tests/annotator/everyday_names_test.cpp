@@ -8,6 +8,7 @@
 #include <map>
 #include <string>
 
+#include "annotator/everyday_phrases.h"
 #include "annotator/instruction.h"
 #include "annotator/noun_table.h"
 #include "annotator/words_for_writing.h"
