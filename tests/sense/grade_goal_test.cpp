@@ -156,14 +156,14 @@ TEST(GradeGoal, NobodyAsksForASingleOneOfWhatComesInNumbers) {
   const auto goal = [](const std::string& variable) {
     return "(exists (?b - fridge) (" + variable + " (at-end (inside ?a ?b))))";
   };
-  const auto one = graded(goal("exists (?a - olive)"), Simulator::Behavior);
+  const auto one = graded(goal("exists (?a - radish)"), Simulator::Behavior);
   EXPECT_EQ(one.grade, Grade::Senseless);
-  EXPECT_EQ(one.parts.front().part, "a single olive");
+  EXPECT_EQ(one.parts.front().part, "a single radish");
   EXPECT_EQ(one.parts.front().sense.why, "rule:single-piece");
-  EXPECT_NE(graded(goal("forall (?a - olive)"), Simulator::Behavior).grade, Grade::Senseless);
-  EXPECT_NE(graded(goal("exists (?a - (either olive apple))"), Simulator::Behavior).grade, Grade::Senseless)
+  EXPECT_NE(graded(goal("forall (?a - radish)"), Simulator::Behavior).grade, Grade::Senseless);
+  EXPECT_NE(graded(goal("exists (?a - (either radish apple))"), Simulator::Behavior).grade, Grade::Senseless)
       << "another thing will do";
-  const std::string several = "(exists (?b - fridge) (at-end (count >= 2 (?a - olive) (inside ?a ?b))))";
+  const std::string several = "(exists (?b - fridge) (at-end (count >= 2 (?a - radish) (inside ?a ?b))))";
   EXPECT_NE(graded(several, Simulator::Behavior).grade, Grade::Senseless);
 }
 
