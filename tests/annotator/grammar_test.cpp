@@ -83,6 +83,12 @@ TEST(ReadInstruction, RefusesWhatHasTwoReadings) {
   }
 }
 
+TEST(ReadInstruction, AsksWhichOneIsMeantOfWhatOnlyAnAlternativeNames) {
+  const auto read = parse_instruction("Either wash a mug or open a fridge, and heat the mug.", small_knowledge());
+  ASSERT_FALSE(read) << to_text(*read);
+  EXPECT_NE(read.error().message.find("which one is meant is not clear"), std::string::npos) << read.error().message;
+}
+
 std::set<std::string> texts_of(const std::string& goal, Phrasings phrasings) {
   static const Knowledge knowledge = small_knowledge();
   static const NounTable nouns(knowledge, committed_names());

@@ -87,7 +87,7 @@ TEST(BatchFolder, IsNotTakenAwayByAnotherRunThatBeginsOrEndsAtTheSameTime) {
 }
 
 TEST(MadeFolders, AreMadeThoughAnotherRunRemovesThoseAboveMeanwhile) {
-  constexpr int kRounds = 200;
+  constexpr int kRounds = 1000;
   const ScratchFolder folder;
   const std::jthread other([&](const std::stop_token& stop) {
     std::error_code code;

@@ -109,7 +109,7 @@ TEST(Viewer, DrawsTheWallsBeforeBoardsThatStandOutOfTheirObject) {
     scene.nodes.push_back(std::move(box));
   };
   add_box("signal", 0.4, 0, 0.05, true);
-  add_box("shelf", 3, 0.5, 0.2, false);
+  add_box("shelf", 3, 1.5, 0.2, false);
   Rays rays;
   const auto by_rays = testing::pixels_by_rays(segmentation_of(scene, profile, rays), scene.nodes.size());
   Viewer viewer(scene);
