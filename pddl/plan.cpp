@@ -99,7 +99,10 @@ class PlanWriter {
       if (!action.args.empty() && target == kNobody) return refused(action, Failure::InvalidArgument);
       const Step step{action.type, target};
       auto trial = world_;
-      if (perform(setting_, trial, step) == Failure::TooFar) (void)take({ActionType::GoTo, target});
+      if (perform(setting_, trial, step) == Failure::TooFar) {
+        leave_out_last_walk();
+        (void)take({ActionType::GoTo, target});
+      }
       if (const Failure failure = take(step); failure != Failure::None) return refused(action, failure);
     }
     if (!holds(goal_, goal_.root(), setting_, world_, progress_))
@@ -115,9 +118,18 @@ class PlanWriter {
             "the symbols do not allow " + to_text(action) + ": " + std::string(name_of(failure))};
   }
 
+  /// If the plan ends with a walk that matters to nothing: from there, physics had within reach what is now gone to.
+  void leave_out_last_walk() {
+    if (!before_walk_ || before_walk_->progress != progress_) return;
+    world_ = std::move(before_walk_->world);
+    lines_.resize(before_walk_->lines);
+  }
+
   Failure take(const Step& step) {
     auto trial = world_;
     if (const Failure failure = perform(setting_, trial, step); failure != Failure::None) return failure;
+    before_walk_.reset();
+    if (step.action == ActionType::GoTo) before_walk_ = {world_, progress_, lines_.size()};
     for (const Step& one : written_as(setting_, problem_, world_, step)) {
       trial = world_;
       const auto text = step_text(setting_, problem_, world_, one);
@@ -148,6 +160,12 @@ class PlanWriter {
     return kNobody;
   }
 
+  struct BeforeWalk {
+    World world;
+    symbolic::Progress progress;
+    std::size_t lines;
+  };
+
   const symbolic::Setting& setting_;
   const symbolic::Goal& goal_;
   const Problem& problem_;
@@ -155,6 +173,7 @@ class PlanWriter {
   World world_;
   symbolic::Progress progress_;
   std::vector<std::string> lines_;
+  std::optional<BeforeWalk> before_walk_;  // when the last step was one
 };
 
 }  // namespace

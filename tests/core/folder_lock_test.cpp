@@ -9,11 +9,10 @@
 
 #include <algorithm>
 #include <array>
-#include <stop_token>
-#include <thread>
 
 #include "core/files.h"
 #include "core/staged_folder.h"
+#include "tests/support/folder_remover.h"
 #include "tests/support/refused_calls.h"
 #include "tests/support/scratch_folder.h"
 
@@ -53,14 +52,11 @@ TEST(FolderLock, ASecondOneIsRefusedWithTheProcessThatHasIt) {
 }
 
 TEST(FolderLock, IsTakenThoughTheFoldersAboveAreRemovedMeanwhile) {
-  constexpr int kRounds = 200;
+  constexpr int kRounds = 200, kSweeps = 20;
   const ScratchFolder folder;
-  const std::jthread remover([&](const std::stop_token& stop) {
-    std::error_code code;
-    while (!stop.stop_requested())
-      for (const char* name : {"a/b/c", "a/b", "a"}) fs::remove(folder.at(name), code);
-  });
+  FolderRemover remover({folder.at("a/b/c"), folder.at("a/b"), folder.at("a")});
   for (int round = 0; round < kRounds; ++round) {
+    remover.sweep(kSweeps);
     const auto lock = FolderLock::take(folder.at("a/b/c/data"));
     ASSERT_TRUE(lock) << "round " << round << ": " << lock.error().message;
   }

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "core/files.h"
+#include "tests/support/folder_remover.h"
 #include "tests/support/scratch_folder.h"
 
 namespace unietp {
@@ -87,14 +88,11 @@ TEST(BatchFolder, IsNotTakenAwayByAnotherRunThatBeginsOrEndsAtTheSameTime) {
 }
 
 TEST(MadeFolders, AreMadeThoughAnotherRunRemovesThoseAboveMeanwhile) {
-  constexpr int kRounds = 1000;
+  constexpr int kRounds = 1000, kSweeps = 20;
   const ScratchFolder folder;
-  const std::jthread other([&](const std::stop_token& stop) {
-    std::error_code code;
-    while (!stop.stop_requested())
-      for (const char* name : {"a/b/c", "a/b", "a"}) std::filesystem::remove(folder.at(name), code);
-  });
+  FolderRemover remover({folder.at("a/b/c"), folder.at("a/b"), folder.at("a")});
   for (int round = 0; round < kRounds; ++round) {
+    remover.sweep(kSweeps);
     const auto made = MadeFolders::make(folder.at("a/b/c"));
     ASSERT_TRUE(made) << "round " << round << ": " << made.error().message;
   }
