@@ -126,6 +126,9 @@ class PlanWriter {
   }
 
   Failure take(const Step& step) {
+    // What is not there yet, such as a piece before the cut, and what is in the hand stands in no room.
+    if (step.action == ActionType::GoTo && step.target.is_thing() && !world_[root_of(world_, step.target)].at.is_room())
+      return Failure::InvalidArgument;
     auto trial = world_;
     if (const Failure failure = perform(setting_, trial, step); failure != Failure::None) return failure;
     before_walk_.reset();

@@ -264,5 +264,44 @@ TEST(PddlProblem, ASearchThatKnowsOnlyPddlFindsAPlan) {
   EXPECT_GE(found, 2U);
 }
 
+/// Physics may have within reach from one place what symbols must go to another for. The walk to the first is no step
+/// of the plan then, if that is all it was for.
+TEST(PddlPlan, HasNoWalkThatLeadsNowhere) {
+  std::size_t tried = 0;
+  for (const auto& source : library()) {
+    const auto simulator = source.simulators.front();
+    SCOPED_TRACE(source.name + " " + std::string(name_of(simulator)));
+    const auto drawn = draw(source, simulator, 4);
+    if (drawn == nullptr) continue;
+    const auto& scene = *drawn->scene;
+    const symbolic::Goal goal(drawn->specification.goal, scene.setting, scene.start);
+    const auto problem = pddl::problem_for(source.name, simulator, scene.setting, scene.start, goal);
+    const auto witness = find_witness(drawn->specification.goal, scene.setting, scene.start);
+    if (!problem || problem->watching || !witness || witness->size() < 2) continue;
+    if ((*witness)[0].action != ActionType::GoTo || (*witness)[1].action == ActionType::GoTo) continue;
+    std::vector<Action> actions;
+    for (const auto& step : *witness) {
+      actions.push_back({step.action, {}});
+      if (step.target.is_room()) actions.back().args.push_back(scene.setting.objects.room(step.target).id);
+      if (step.target.is_thing()) actions.back().args.push_back(scene.setting.objects.object(step.target).id);
+    }
+    const auto plan = pddl::plan_for(scene.setting, scene.start, goal, *problem, actions, {});
+    ASSERT_TRUE(plan) << format(plan.error());
+    for (const auto& thing : scene.setting.objects.things) {
+      auto there = scene.start;
+      const auto id = scene.setting.objects.named(thing.id);
+      if (!there[id].exists) continue;
+      if (perform(scene.setting, there, {ActionType::GoTo, id}) != Failure::None) continue;
+      if (perform(scene.setting, there, (*witness)[1]) != Failure::TooFar) continue;
+      actions.front().args = {thing.id};
+      const auto from_there = pddl::plan_for(scene.setting, scene.start, goal, *problem, actions, {});
+      ASSERT_TRUE(from_there) << format(from_there.error());
+      EXPECT_EQ(from_there->size(), plan->size()) << thing.id;
+      ++tried;
+    }
+  }
+  EXPECT_GE(tried, 100U);
+}
+
 }  // namespace
 }  // namespace unietp
