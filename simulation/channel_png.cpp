@@ -15,7 +15,7 @@ Result<std::string> depth_png(const Channels& channels) {
   millimeters.reserve(channels.depth.size());
   for (const float depth : channels.depth) {
     const double value = std::round(1000.0 * depth);
-    millimeters.push_back(value <= kMost ? static_cast<std::uint16_t>(value) : 0);
+    millimeters.push_back(static_cast<std::uint16_t>(value <= kMost ? value : 0));
   }
   return gray_png(channels.width, channels.height, millimeters);
 }
