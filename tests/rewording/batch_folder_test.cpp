@@ -88,7 +88,7 @@ TEST(BatchFolder, IsNotTakenAwayByAnotherRunThatBeginsOrEndsAtTheSameTime) {
 }
 
 TEST(MadeFolders, AreMadeThoughAnotherRunRemovesThoseAboveMeanwhile) {
-  constexpr int kRounds = 1000, kSweeps = 20;
+  constexpr int kRounds = 200, kSweeps = 20;
   const ScratchFolder folder;
   FolderRemover remover({folder.at("a/b/c"), folder.at("a/b"), folder.at("a")});
   for (int round = 0; round < kRounds; ++round) {

@@ -25,7 +25,10 @@ class FolderRemover {
   void run(const std::stop_token& stop) {
     std::error_code code;
     while (!stop.stop_requested()) {
-      if (left_ == 0) continue;
+      if (left_ == 0) {
+        std::this_thread::yield();
+        continue;
+      }
       for (const auto& folder : folders_) std::filesystem::remove(folder, code);
       --left_;
     }
