@@ -56,7 +56,7 @@ OrderedJson object_of(const OrderedJson& properties) {
 }
 
 OrderedJson form_of(FactKind kind) {
-  const OrderedJson number = {{"type", "number"}}, text = {{"type", "string"}};
+  OrderedJson number = {{"type", "number"}}, text = {{"type", "string"}};
   switch (kind) {
     case FactKind::Size:
       return object_of({{"width", number}, {"depth", number}, {"height", number}});

@@ -131,7 +131,7 @@ std::string Words::cell(const std::string& name, const std::string& column) cons
   }
   std::string content;
   if (const auto* of_form = form(name, &content); of_form != nullptr && !text_of(*of_form).empty()) {
-    const auto text = text_of(*of_form);
+    auto text = text_of(*of_form);
     // What is sold in plastic only is not in glass; its carton is of paper all the same.
     const bool by_content =
         column == "kind" ? text.starts_with("content") : column == "materials" && text.starts_with("glass");

@@ -62,7 +62,7 @@ class ScriptNames {
 
   /// "kitchen_counter" -> "kitchencounter"; empty when no class has that name.
   std::string class_named(const std::string& script_name) const {
-    const auto plain = replace_all(script_name, "_", "");
+    auto plain = replace_all(script_name, "_", "");
     if (builder_.find(plain)) return plain;
     const auto other = others_.find(script_name);
     return other != others_.end() && builder_.find(other->second) ? other->second : std::string();

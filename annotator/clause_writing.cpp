@@ -260,7 +260,7 @@ std::optional<std::string> ClauseWriter::worded(const Clause& clause) {
   if (clause.kind == Clause::Kind::And || clause.kind == Clause::Kind::Or) return joined_parts(clause, nullptr);
   if (clause.kind == Clause::Kind::Simple) {
     bool special = false;
-    const Text text = special_command(clause, special);
+    Text text = special_command(clause, special);
     if (special) return text;
     if (clause.complements.size() == 1) {
       auto patterns = naming_.everyday() ? everyday_verbs(clause.complements[0]) : verbs(clause.complements[0]);
@@ -288,14 +288,14 @@ std::optional<std::string> ClauseWriter::worded(const Clause& clause) {
       const Domain& noun = clause.subjects[0].noun;
       const char* unsaid = naming_.is_carried(noun) || naming_.names_by_use(noun) ? "clean {s}" : "wash {s}";
       if (naming_.everyday()) std::erase(patterns, unsaid);
-      if (const Text cut = naming_.everyday() ? cut_first(clause) : std::nullopt) return cut;
+      if (Text cut = naming_.everyday() ? cut_first(clause) : std::nullopt) return cut;
       const bool clean_subject = clause.subjects[0].determiner != Determiner::No &&
                                  clause.subjects[0].determiner != Determiner::AtMost &&
                                  clause.subjects[0].determiner != Determiner::Agent;
       if (!patterns.empty() && clean_subject) return filled(chosen(patterns), clause);
     }
   }
-  if (const Text left = naming_.everyday() ? no_more(clause, naming_) : std::nullopt) return left;
+  if (Text left = naming_.everyday() ? no_more(clause, naming_) : std::nullopt) return left;
   const Text stated = statement(clause, "is");
   return stated ? Text("make sure that " + *stated) : std::nullopt;
 }
@@ -335,7 +335,7 @@ std::optional<std::string> ClauseWriter::special_command(const Clause& clause, b
     if (part.negated || (part.predicate != Predicate::On && part.predicate != Predicate::Inside)) return std::nullopt;
   special = true;
   if (naming_.everyday())
-    if (const Text each = each_somewhere(clause, naming_)) return each;
+    if (Text each = each_somewhere(clause, naming_)) return each;
   const auto moved = naming_.phrase(subject, {});
   if (!moved) return std::nullopt;
   std::vector<std::string> places;
@@ -426,7 +426,7 @@ std::optional<std::string> ClauseWriter::cut_first(const Clause& clause) {
 std::string ClauseWriter::taken_exception(const Clause& clause, std::string& subject) {
   const auto at = subject.rfind(" except ");
   if (clause.subjects.size() != 1 || !clause.subjects[0].except || at == std::string::npos) return {};
-  const std::string exception = subject.substr(at);
+  std::string exception = subject.substr(at);
   subject.resize(at);
   return exception;
 }

@@ -125,7 +125,6 @@ class Composer {
     if (requirement.inverted) std::swap(said[0], said[1]);
     switch (requirement.kind) {
       case Requirement::Kind::Choose:
-        break;
       case Requirement::Kind::Once:  // no text is read as this
         break;
       case Requirement::Kind::Final:

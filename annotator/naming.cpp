@@ -127,7 +127,7 @@ std::optional<std::string> Naming::singular(const Domain& domain) {
 }
 
 std::optional<std::string> Naming::several(const Domain& domain) {
-  const auto one = is_countable(domain) ? singular(domain) : std::nullopt;
+  auto one = is_countable(domain) ? singular(domain) : std::nullopt;
   if (one) several_.push_back(domain);
   return one;
 }

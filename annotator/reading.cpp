@@ -285,7 +285,7 @@ void PhraseReader::with_something(NounPhrase& read) {
 /// What follows a noun at once: "nearest to the sink", "where a plate is kept", "that you put a mug into", and, where
 /// no place can be meant otherwise, "in the kitchen".
 void PhraseReader::direct_description(NounPhrase& read) {
-  if (comes("nearest to") || comes("closest to")) {
+  if (comes("nearest to") || comes("closest to") || (bare_rooms_ && room_comes())) {
     read.modifiers.push_back(complement());
   } else if (lexicon_.where_at(tokens_, at_).length == 0 && !comes("where it is") && !comes("where they are") &&
              accept("where")) {
@@ -294,8 +294,6 @@ void PhraseReader::direct_description(NounPhrase& read) {
   } else if (accept("on which")) {
     read.modifiers.push_back({P::On, false, "", {phrase()}, true});
     if (accept_one({"stands", "stand"}) < 0) fail("expected 'stands' or 'stand'");
-  } else if (bare_rooms_ && room_comes()) {
-    read.modifiers.push_back(complement());
   } else if (bare_places_ &&
              std::any_of(kBarePlaces.begin(), kBarePlaces.end(), [&](auto words) { return comes(words); })) {
     bare_places_ = false;

@@ -321,7 +321,7 @@ class Realizer {
   Text conditional(const Clause& clause) {
     const std::size_t before = naming_.named_count();
     if (everyday_)
-      if (const Text either = if_or_else(clause, naming_, clauses_)) return either;
+      if (Text either = if_or_else(clause, naming_, clauses_)) return either;
     naming_.forget_after(before);
     if (clause.given.empty()) return framed("", clauses_.command(clause), "");
     const Text condition = clauses_.given(clause);

@@ -81,7 +81,7 @@ Exit play(PlayOptions& options, const CommandLine& program) {
   settings.idle = std::chrono::hours(24 * 365);  // a person may take a break
   settings.token = secret_tokens();
   settings.log = [](const Error& error) { (void)refuse(error); };
-  Protocol protocol(std::move(reading.tasks), std::move(settings));
+  Protocol protocol(std::move(reading.tasks), settings);
   options.choice.seed = options.seed.value_or(0);
   options.choice.procedural = options.tasks.procedural && options.tasks.folder.empty();
   auto terminal = PlayTerminal::open(protocol, options.choice);

@@ -45,8 +45,9 @@ void print_json(const std::vector<HomeInFile>& homes, const std::vector<DoctorOu
 Exit examine(const SceneDoctorOptions& options, const CommandLine& program) {
   const auto known = load_backends(program.folders);
   if (!known.errors.empty()) return refuse(known.errors);
-  const auto [facts, wrong] = read_format_facts(program.folders.scene_files());
-  if (!wrong.empty()) return refuse(wrong);
+  const auto formats = read_format_facts(program.folders.scene_files());
+  if (!formats.errors.empty()) return refuse(formats.errors);
+  const FormatFacts& facts = formats.facts;
   const auto reading = read_homes(options.files, known.backends, facts, options.assets);
   if (!reading.errors.empty()) return refuse(reading.errors);
 

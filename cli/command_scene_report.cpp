@@ -49,8 +49,9 @@ Exit report(const SceneReportOptions& options, const CommandLine& program) {
   const auto known = load_home_inputs(program.folders);
   if (!known.errors.empty()) return refuse(known.errors);
   const auto& backends = known.inputs.backends;
-  const auto [facts, wrong] = read_format_facts(program.folders.scene_files());
-  if (!wrong.empty()) return refuse(wrong);
+  const auto formats = read_format_facts(program.folders.scene_files());
+  if (!formats.errors.empty()) return refuse(formats.errors);
+  const FormatFacts& facts = formats.facts;
   HomesReading reading;
   std::vector<HomeSource> sources;
   if (options.files.empty()) {

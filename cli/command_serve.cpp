@@ -60,7 +60,7 @@ Exit serve(const ServeOptions& options, const CommandLine& program) {
   settings.log = [](const Error& error) { (void)refuse(error); };
   const bool has_port = options.port >= 0;
   if (has_port) settings.token = secret_tokens();
-  Protocol protocol(std::move(reading.tasks), std::move(settings));
+  Protocol protocol(std::move(reading.tasks), settings);
   const std::atomic<bool>& stop = *program.interrupted;
   if (has_port) return serve_port(options, protocol, stop);
   serve_lines(STDIN_FILENO, stdout, limits::kMessageBytes, protocol, stop);

@@ -261,7 +261,7 @@ Result<EvaluateRequest> read_evaluate_options(const EvaluateChoice& choice, cons
   for (const Mode mode : request.selection.modes) {
     auto settings = read_settings(choice, mode);
     if (!settings) return settings.error();
-    request.settings.emplace(mode, std::move(*settings));
+    request.settings.emplace(mode, *settings);
   }
   const bool only_shows = !choice.show_prompt.empty() && choice.model.empty();
   if (choice.model.empty() && choice.policy.empty() && !only_shows)

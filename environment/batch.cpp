@@ -37,10 +37,10 @@ struct EnvironmentBatch::Impl {
       return;
     }
     if (member.environment) {
-      if (auto begun = member.environment->reset(std::move(*task)); !begun) member.error = begun.error();
+      if (auto begun = member.environment->reset(*task); !begun) member.error = begun.error();
       return;
     }
-    auto made = Environment::make(std::move(*task), settings);
+    auto made = Environment::make(*task, settings);
     if (made) {
       member.environment.emplace(std::move(*made));
     } else {

@@ -15,9 +15,9 @@ Environment::Environment(Environment&&) noexcept = default;
 Environment& Environment::operator=(Environment&&) noexcept = default;
 Environment::~Environment() = default;
 
-Result<Environment> Environment::make(SharedTask task, const Settings& settings, SharedSimulator simulator) {
+Result<Environment> Environment::make(const SharedTask& task, const Settings& settings, SharedSimulator simulator) {
   if (auto fine = check(settings); !fine) return fine.error();
-  auto state = EpisodeState::begin(std::move(task), settings, std::move(simulator));
+  auto state = EpisodeState::begin(task, settings, std::move(simulator));
   if (!state) return state.error();
   return Environment(std::move(*state));
 }
@@ -34,8 +34,8 @@ const Observation& Environment::reset() {
   return state_->observation;
 }
 
-Result<Done> Environment::reset(SharedTask task) {
-  auto state = EpisodeState::begin(std::move(task), state_->settings, state_->simulator);
+Result<Done> Environment::reset(const SharedTask& task) {
+  auto state = EpisodeState::begin(task, state_->settings, state_->simulator);
   if (!state) return state.error();
   state_ = std::move(*state);
   return Done{};

@@ -32,7 +32,8 @@ class Environment {
   /// Starts the first episode. Errors: those of check(settings); Schema when the start cannot be built.
   /// With a simulator, actions have to succeed there too and the goal is judged on its state (acting_simulator.h); such
   /// an environment is not copied. What the simulator fails to do is no error here: see `broken`.
-  static Result<Environment> make(SharedTask task, const Settings& settings, SharedSimulator simulator = nullptr);
+  static Result<Environment> make(const SharedTask& task, const Settings& settings,
+                                  SharedSimulator simulator = nullptr);
   Environment(Environment&&) noexcept;
   Environment& operator=(Environment&&) noexcept;
   ~Environment();
@@ -43,7 +44,7 @@ class Environment {
   /// Begins the task again from its start, in a new world.
   const Observation& reset();
   /// Begins another task. Errors: as `make`; the environment then stays as it was.
-  Result<Done> reset(SharedTask task);
+  Result<Done> reset(const SharedTask& task);
 
   /// What the agent may know now.
   const Observation& observe() const;

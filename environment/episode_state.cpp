@@ -33,7 +33,7 @@ std::string_view name_of(EpisodeEnd end) {
   return kNames[static_cast<std::size_t>(end)];
 }
 
-Result<std::unique_ptr<EpisodeState>> EpisodeState::begin(SharedTask task, const Settings& settings,
+Result<std::unique_ptr<EpisodeState>> EpisodeState::begin(const SharedTask& task, const Settings& settings,
                                                           SharedSimulator simulator) {
   auto profile = profile_of(*task, settings);
   auto world = World::create(task->start, *task->data.knowledge, *profile, task->known);

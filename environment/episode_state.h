@@ -23,7 +23,7 @@ std::string_view name_of(EpisodeEnd end);  // "", "stop", "failures", "steps", "
 /// All that an environment has of one episode.
 struct EpisodeState {
   /// At the start. Errors: as World::create.
-  static Result<std::unique_ptr<EpisodeState>> begin(SharedTask task, const Settings& settings,
+  static Result<std::unique_ptr<EpisodeState>> begin(const SharedTask& task, const Settings& settings,
                                                      SharedSimulator simulator);
   /// A copy that shares nothing that changes.
   std::unique_ptr<EpisodeState> apart() const;

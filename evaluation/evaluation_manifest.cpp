@@ -120,7 +120,7 @@ std::map<Mode, Settings> read_settings(JsonReader& reader, const JsonAt& at) {
     if (!f || reader.error()) continue;
     auto one = settings_from_json("settings", f->json);
     if (!one) reader.fail(*f, one.error().message);
-    if (one) settings.emplace(mode, std::move(*one));
+    if (one) settings.emplace(mode, *one);
   }
   fields.finish();
   return settings;

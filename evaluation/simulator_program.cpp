@@ -114,8 +114,9 @@ class SimulatorProgram : public ActingSimulator {
 /// Adds the nodes that are new or whose states changed, as they are now.
 void read_states(JsonReader& reader, const JsonAt& at, const Scene& now, const Delta& ours, Delta& changes) {
   if (!at.json.is_object()) return reader.fail(at, "expected an object of lists of states");
-  for (const auto& [id, states] : at.json.items()) {
-    const JsonAt item{states, &at, id};
+  for (const auto& entry : at.json.items()) {
+    const std::string& id = entry.key();
+    const JsonAt item{entry.value(), &at, id};
     const Node* const node = find_node(now, id);
     const auto made = std::find_if(ours.nodes.begin(), ours.nodes.end(), [&](const Node& one) { return one.id == id; });
     if (node == nullptr && made == ours.nodes.end()) return reader.fail(item, "expected the id of an object");

@@ -106,6 +106,7 @@ Choices::List Choices::both(List a, const List& b) const {
   List list;
   for (Alternative& left : a) {
     for (const Alternative& right : b) {
+      // NOLINTNEXTLINE(bugprone-use-after-move): `left` is moved from with the last of `b`
       if (contradict(left, right, situation_)) continue;
       std::vector<Literal> end;
       std::set_union(left.end.begin(), left.end.end(), right.end.begin(), right.end.end(), std::back_inserter(end));

@@ -53,7 +53,7 @@ ExecutionTree ExecutionTree::with_goal(const Formula& goal) const {
 Facts ExecutionTree::read(const Scene& scene) { return compared(reader_.read(scene), scene); }
 
 Facts ExecutionTree::compared(Facts facts, const Scene& scene) const {
-  return compared_.none() ? facts : with_comparisons(facts, scene, reader_, compared_);
+  return compared_.none() ? std::move(facts) : with_comparisons(facts, scene, reader_, compared_);
 }
 
 ActionResult ExecutionTree::step(World& world, const Action& action) {

@@ -65,7 +65,7 @@ std::optional<Choice> next_choice(const std::vector<Alternative>& alternatives, 
 std::optional<Literal> bring_about(Attempt& attempt, Methods& methods, const std::vector<Literal>& literals,
                                    const OrderPreferences& preferences) {
   std::map<Literal, int> tries;
-  while (const auto literal = next_literal(attempt, literals, preferences)) {
+  while (auto literal = next_literal(attempt, literals, preferences)) {
     if (++tries[*literal] > kTriesPerLiteral) return literal;
     if (!methods.achieve(*literal)) return literal;
   }
@@ -77,8 +77,7 @@ std::optional<Literal> carry_out(Attempt& attempt, Methods& methods, const Order
   const Alternative& alternative = attempt.alternative();
   for (const std::size_t moment : order_of_moments(alternative, preferences)) {
     if (attempt.has_come(moment)) continue;
-    if (const auto failed = bring_about(attempt, methods, alternative.moments[moment].literals, preferences))
-      return failed;
+    if (auto failed = bring_about(attempt, methods, alternative.moments[moment].literals, preferences)) return failed;
   }
   return bring_about(attempt, methods, wanted_at_end(alternative), preferences);
 }

@@ -242,7 +242,7 @@ class Reader {
         wholes.push_back(situation_.slice(member).whole);
       }
     }
-    const List common = all_of(formula, real, want);
+    List common = all_of(formula, real, want);
     if (common.empty()) return common;
     if (wholes.empty()) return common;
     List result = real.empty() ? choices_.none() : common;

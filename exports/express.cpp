@@ -29,7 +29,7 @@ const Node* unknown_to_simulator(const FinishedTask& task, const Knowledge& know
 /// Why a form does not express a task; "" where it does.
 std::string refusal_of(const ExpressTask& form, const FinishedTask& task) {
   auto expressed = form(task);
-  return expressed ? std::move(expressed->refused) : expressed.error().message;
+  return expressed ? expressed->refused : expressed.error().message;
 }
 
 }  // namespace

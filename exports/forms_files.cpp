@@ -98,7 +98,7 @@ Result<ExportSummary> write_forms(const ExportRequest& request) {
     auto tasks = DatasetReader::open(request.dataset, {});
     if (!tasks) return tasks.error();
     std::string lines;
-    const auto read = for_each_task<TaskRecord>(
+    auto read = for_each_task<TaskRecord>(
         std::move(*tasks), 1, [](const FinishedTask& task) -> Result<TaskRecord> { return task.record; },
         [&](TaskRecord&& task) -> Result<Done> {
           const Simulator simulator = *simulator_named(task.simulator);

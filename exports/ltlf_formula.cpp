@@ -68,7 +68,8 @@ class LtlfWriter {
   }
 
   std::string checked(std::string text) {
-    return text.size() > kLongestFormula ? refuse("its formula would be longer than 100,000 characters") : text;
+    return text.size() > kLongestFormula ? refuse("its formula would be longer than 100,000 characters")
+                                         : std::move(text);
   }
 
   Texts nodes(const std::vector<Formula>& parts) {

@@ -52,7 +52,7 @@ class TreeReader {
 
 /// "(and a b)" without what says nothing.
 std::string list(const std::string& word, const std::vector<std::string>& parts) {
-  const std::string neutral = word == "and" ? kHolds : kFails, absorbing = word == "and" ? kFails : kHolds;
+  std::string neutral = word == "and" ? kHolds : kFails, absorbing = word == "and" ? kFails : kHolds;
   std::string text;
   std::size_t kept = 0;
   for (const std::string& part : parts) {

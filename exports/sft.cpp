@@ -212,7 +212,7 @@ Result<SftExport> export_sft(const fs::path& dataset, const std::vector<Validati
         if (!begun) return begun.error();
         trl_file.emplace(std::move(*begun));
       }
-      const auto done = for_each_task<Samples>(
+      auto done = for_each_task<Samples>(
           std::move(*tasks), options.threads, [&](const FinishedTask& task) { return maker.make(task, mode); },
           [&](Samples&& samples) -> Result<Done> {
             made.samples += samples.count;

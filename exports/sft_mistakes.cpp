@@ -176,7 +176,7 @@ Result<MistakenDemonstration> with_mistakes(const FinishedTask& task, Mode mode,
                 task.record.layout, task.record.goal_text,   task.record.expert};
   auto prepared = prepare_task(std::move(text), task.start, {borrowed(backend.knowledge), borrowed(backend.profile)});
   if (!prepared) return prepared.error();
-  auto environment = Environment::make(std::move(*prepared), settings_for(mode));
+  auto environment = Environment::make(*prepared, settings_for(mode));
   if (!environment) return environment.error();
   const Rng rng = Rng(task.record.run).fork(task.record.id, static_cast<std::uint64_t>(mode));
   auto made = MistakeMaker(std::move(*environment), right, mode, rate, rng).make();

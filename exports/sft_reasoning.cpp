@@ -86,7 +86,7 @@ std::string SftReasoning::sight(std::size_t index, const Scene& before) const {
 std::string SftReasoning::sought_after(std::size_t index, const Scene& before) const {
   const std::string now = object_of(shown_.steps[index]);
   for (std::size_t i = index + 1; i < shown_.steps.size(); ++i) {
-    const std::string target = object_of(shown_.steps[i]);
+    std::string target = object_of(shown_.steps[i]);
     if (target != now && find_node(before, target) != nullptr) return target;
   }
   return "";

@@ -38,7 +38,7 @@ Result<ExportedTasks> write_task_folder(const fs::path& dataset, const std::vect
     auto tasks = DatasetReader::open(dataset, {.modes = modes, .starts = true});
     if (!tasks) return tasks.error();
     std::string left_out;
-    const auto read = for_each_task<std::string>(
+    auto read = for_each_task<std::string>(
         std::move(*tasks), 1,
         [&](const FinishedTask& finished) -> Result<std::string> {
           FinishedTask task = finished;

@@ -146,7 +146,7 @@ std::optional<NavigationGrid> other_grid(const Home& home, const Scene& scene, s
 std::shared_ptr<const Walk> walk_of(const Home& home, const Scene& scene, std::vector<std::size_t> places) {
   auto grid = other_grid(home, scene, std::move(places));
   if (!grid && scene.agent.position == home.scene.agent.position) return home.walk;
-  auto walk = std::make_shared<Walk>(Walk{grid ? std::move(*grid) : home.walk->grid, {}, {}});
+  auto walk = std::make_shared<Walk>(Walk{grid ? *grid : home.walk->grid, {}, {}});
   const auto from = walk->grid.cell_at(scene.agent.position);
   walk->reached = walk->grid.reached_from(from, home.walk->grid, home.walk->reached);
   return walk;

@@ -93,8 +93,8 @@ Result<Scene> training_layout(const LayoutRecipe& recipe, const Knowledge& knowl
   Rng draw = stream.fork("size", 0);
   LayoutOptions options;
   const HomeScale& scale = recipe.scale;
-  const auto sizes = static_cast<std::uint64_t>(scale.most_rooms - scale.fewest_rooms + 1);
-  options.rooms = scale.fewest_rooms + static_cast<int>(draw.below(sizes));
+  const int sizes = scale.most_rooms - scale.fewest_rooms + 1;
+  options.rooms = scale.fewest_rooms + static_cast<int>(draw.below(static_cast<std::uint64_t>(sizes)));
   options.objects = static_cast<int>(std::lround(scale.objects_a_room * options.rooms));
   const std::string id =
       std::string(name_of(simulator)) + "-training-" + std::to_string(seed) + "-" + std::to_string(n);

@@ -36,7 +36,7 @@ Location location_of(const Workspace& workspace, const Node& node) {
 std::string rare_state(const Workspace& workspace, const Node& node, const Node* before, Predicate relation,
                        const std::string& receptacle) {
   for (const LikelyState& likely : workspace.household()->states_of(node.category, relation, receptacle)) {
-    const std::string name(info(likely.state.predicate).name);
+    std::string name(info(likely.state.predicate).name);
     const bool has = node.states.has(likely.state);
     if (has && likely.share < kHardlyAny) return name;
     const bool as_before = before != nullptr && before->pose.position == node.pose.position;

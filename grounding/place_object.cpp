@@ -146,7 +146,7 @@ std::optional<Pose> try_pose(Workspace& workspace, double opening, TrialNode& tr
   const Pose let_down{pose.position - Vec3(0, 0, kDropHeight_m - kGapBelowPlaced_m), pose.rotation};
   if (!options.settle) return let_down;
   trial.move(let_down);
-  const auto rest =
+  auto rest =
       stands_firmly(workspace, trial, receptacle) ? std::optional(let_down) : let_go(workspace, trial, let_down);
   if (!rest) {
     obstacle = "does not stay where it is put";

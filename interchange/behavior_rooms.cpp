@@ -76,7 +76,7 @@ void add_floor_rooms(SourceScene& scene) {
   for (Floor& floor : floors) {
     for (Tile& tile : floor.tiles) all.push_back(&tile);
   }
-  align(std::move(all), kSameWall_m);
+  align(all, kSameWall_m);
   std::stable_sort(floors.begin(), floors.end(), [](const Floor& a, const Floor& b) { return a.area() > b.area(); });
   std::map<std::string, std::string> part_of;
   std::vector<Floor> kept;

@@ -42,7 +42,7 @@ std::vector<Vec2> corners_of(const Tile& tile) {
   return {tile.low, {tile.high.x(), tile.low.y()}, tile.high, {tile.low.x(), tile.high.y()}};
 }
 
-void align(std::vector<Tile*> tiles, double gap_m) {
+void align(const std::vector<Tile*>& tiles, double gap_m) {
   for (const int axis : {0, 1}) {
     std::vector<double*> values;
     for (Tile* tile : tiles) values.push_back(&tile->low[axis]), values.push_back(&tile->high[axis]);
@@ -70,15 +70,18 @@ std::optional<std::vector<Vec2>> outline_of(const std::vector<Tile>& tiles, cons
     return static_cast<int>(std::lower_bound(lines.begin(), lines.end(), value) - lines.begin());
   };
   const int columns = static_cast<int>(xs.size()) - 1, rows = static_cast<int>(ys.size()) - 1;
-  std::vector<char> cells(static_cast<std::size_t>(columns * rows), 0);
+  std::vector<char> cells((xs.size() - 1) * (ys.size() - 1), 0);
+  const auto index = [&](int x, int y) {
+    return static_cast<std::size_t>(y) * (xs.size() - 1) + static_cast<std::size_t>(x);
+  };
   const auto covered = [&](int x, int y) {
-    return x >= 0 && y >= 0 && x < columns && y < rows && cells[static_cast<std::size_t>(y * columns + x)] != 0;
+    return x >= 0 && y >= 0 && x < columns && y < rows && cells[index(x, y)] != 0;
   };
   for (const auto* list : {&tiles, &holes}) {
     for (const Tile& tile : *list) {
       for (int y = place(ys, tile.low.y()); y < place(ys, tile.high.y()); ++y) {
         for (int x = place(xs, tile.low.x()); x < place(xs, tile.high.x()); ++x) {
-          cells[static_cast<std::size_t>(y * columns + x)] = list == &tiles ? 1 : 0;
+          cells[index(x, y)] = list == &tiles ? 1 : 0;
         }
       }
     }

@@ -15,7 +15,7 @@ struct Tile {
 
 /// Sets coordinates of all tiles that are within `gap_m` of each other to one value, so that rooms side by side share
 /// the line of their wall. Coordinates that stand alone keep their value.
-void align(std::vector<Tile*> tiles, double gap_m);
+void align(const std::vector<Tile*>& tiles, double gap_m);
 
 /// The outline of what the tiles cover without the holes, counter-clockwise; nothing when that is not one piece without
 /// holes.

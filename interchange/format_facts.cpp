@@ -44,7 +44,8 @@ std::vector<std::string> state_names() {
 }
 
 void read_virtualhome_words(const std::filesystem::path& folder, FormatFactsReading& reading) {
-  auto& [facts, errors] = reading;
+  FormatFacts& facts = reading.facts;
+  std::vector<Error>& errors = reading.errors;
   read_table(folder / "virtualhome_rooms.csv", {"class", "room", "source"}, errors,
              [&](RowReader& row, std::string word) {
                facts.virtualhome_rooms.push_back({std::move(word), row.required("room")});
@@ -75,7 +76,8 @@ void read_virtualhome_words(const std::filesystem::path& folder, FormatFactsRead
 
 FormatFactsReading read_format_facts(const std::filesystem::path& folder) {
   FormatFactsReading reading;
-  auto& [facts, errors] = reading;
+  FormatFacts& facts = reading.facts;
+  std::vector<Error>& errors = reading.errors;
   read_table(folder / "replicacad_words.csv", {"word", "category", "source"}, errors,
              [&](RowReader& row, std::string word) {
                facts.replicacad_words.emplace(std::move(word), row.required("category"));
@@ -96,7 +98,7 @@ FormatFactsReading read_format_facts(const std::filesystem::path& folder) {
              [&](RowReader& row, std::string model) {
                auto& lacks = facts.model_lacks[std::move(model)];
                for (const std::string& name : split(row.required("lacks"), '|')) {
-                 const auto known = affordance_names();
+                 const auto& known = affordance_names();
                  if (std::find(known.begin(), known.end(), name) == known.end())
                    row.fail("lacks", "'" + name + "' is no affordance");
                  lacks.insert(name);

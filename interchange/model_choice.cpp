@@ -79,7 +79,7 @@ ChosenModel model_for(const Node& node, const Knowledge& knowledge, const Format
   }
   std::vector<const Asset*> models(all.begin(), all.end());
   std::erase_if(models, [&](const Asset* model) { return facts.model_lacks.contains(model->name); });
-  if (const ChosenModel able = best_of(models, node, why); able.asset != nullptr) return able;
+  if (ChosenModel able = best_of(models, node, why); able.asset != nullptr) return able;
   return best_of({all.begin(), all.end()}, node, why);
 }
 

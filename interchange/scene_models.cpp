@@ -92,10 +92,10 @@ std::string habitat_category(std::string_view name, const Knowledge& knowledge, 
   constexpr std::string_view kReplicaCad = "frl_apartment_";
   if (name.starts_with(kReplicaCad)) name.remove_prefix(kReplicaCad.size());
   std::vector<std::string> words = words_of(name);
-  const std::string whole = join(words, "_");
+  std::string whole = join(words, "_");
   if (const auto word = facts.replicacad_words.find(whole); word != facts.replicacad_words.end()) return word->second;
   for (; !words.empty(); words.erase(words.begin())) {
-    const std::string rest = join(words, "_");
+    std::string rest = join(words, "_");
     if (knowledge.find(rest) != nullptr) return rest;
   }
   return whole;

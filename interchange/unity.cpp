@@ -106,7 +106,7 @@ PosedBox box_within(const Vec3& center, const Vec3& extents, const Quat& facing)
   const double off = yaw - quarters * kQuarter;
   const bool across = std::abs(std::lround(quarters)) % 2 == 1;
   const Vec3 straight = across ? Vec3(extents.y(), extents.x(), extents.z()) : extents;
-  const PosedBox snapped{upright(center, quarters * kQuarter), straight};
+  PosedBox snapped{upright(center, quarters * kQuarter), straight};
   if (std::abs(off) < kStraight_rad) return snapped;
   // straight.x = a cos + b sin, straight.y = a sin + b cos.
   const double c = std::cos(off), s = std::abs(std::sin(off)), determinant = c * c - s * s;

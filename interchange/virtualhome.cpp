@@ -124,7 +124,7 @@ class Importer {
     for (auto& floor : tiles) {
       for (Tile& tile : floor) all.push_back(&tile);
     }
-    align(std::move(all), kSameWall_m);
+    align(all, kSameWall_m);
     std::map<std::string, int> count;
     for (std::size_t i = 0; i < rooms.size(); ++i) {
       const std::string type = room_type_of_virtualhome(rooms[i]->class_name, facts_);

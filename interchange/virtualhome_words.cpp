@@ -5,7 +5,7 @@
 namespace unietp {
 
 std::string room_type_of_virtualhome(std::string_view class_name, const FormatFacts& facts) {
-  const std::string name = lower(class_name);
+  std::string name = lower(class_name);
   for (const auto& room : facts.virtualhome_rooms) {
     if (room.word == name) return room.ours;
   }

@@ -72,7 +72,7 @@ void Monitor::Impl::clear_out() {
   live = residuals.size();
 }
 
-Monitor::Monitor(Formula goal) : impl_(std::make_unique<Impl>()) {
+Monitor::Monitor(const Formula& goal) : impl_(std::make_unique<Impl>()) {
   impl_->program = compile(goal);
   impl_->root = build_part(impl_->program, impl_->program.root, impl_->residuals);
 }

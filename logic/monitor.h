@@ -15,7 +15,7 @@ namespace unietp {
 /// that a search can branch.
 class Monitor {
  public:
-  explicit Monitor(Formula goal);
+  explicit Monitor(const Formula& goal);
   Monitor(const Monitor&);
   Monitor(Monitor&&) noexcept;
   Monitor& operator=(const Monitor&);

@@ -25,7 +25,7 @@ double best(const std::vector<double>& shares) {
 bool is_conjunctive(Kind kind) { return kind == Kind::And || kind == Kind::Forall; }
 
 std::string relation_words(Relation relation, int number) {
-  const std::string text = std::to_string(number);
+  std::string text = std::to_string(number);
   switch (relation) {
     case Relation::Equal:
       return "exactly " + text;

@@ -105,12 +105,12 @@ class Normalizer {
       Formula inner = rename_variable(body.children.front(), body.variable, own);
       body = std::move(inner);
     }
-    return best_order(outer.op, std::move(block), std::move(body), depth);
+    return best_order(outer.op, std::move(block), body, depth);
   }
 
   /// Places one binder of the block, then the rest. Candidates: those whose `:where` names no binder still to place,
   /// and of these the ones with the smallest domain.
-  Formula best_order(Op op, std::vector<Binder> block, Formula body, int depth) const {
+  Formula best_order(Op op, std::vector<Binder> block, const Formula& body, int depth) const {
     if (block.empty()) return normal(body, depth);
     std::string smallest;
     std::vector<std::size_t> candidates;

@@ -76,7 +76,7 @@ template <class Made>
 Result<Done> for_each_task(DatasetReader reader, int threads,
                            const std::function<Result<Made>(const FinishedTask&)>& work,
                            const std::function<Result<Done>(Made&&)>& take) {
-  const auto done = work_in_order<TaskLines, Result<Made>>(
+  auto done = work_in_order<TaskLines, Result<Made>>(
       threads, [&] { return reader.lines().next(); },
       [&](const TaskLines& lines) -> Result<Made> {
         const auto task = reader.read(lines);

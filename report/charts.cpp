@@ -60,7 +60,8 @@ BarChart binned(BarChart chart, const std::vector<std::pair<std::string, Histogr
     if ((most - least) / width + 1 > kMostBins) width = step;
   }
   const int from = least / width * width;
-  const auto bins = static_cast<std::size_t>((most - from) / width + 1);
+  const int number = (most - from) / width + 1;
+  const auto bins = static_cast<std::size_t>(number);
   for (std::size_t i = 0; i < bins; ++i) {
     const int low = from + static_cast<int>(i) * width;
     chart.labels.push_back(width == 1 ? std::to_string(low)

@@ -47,7 +47,7 @@ std::string escaped_html(std::string_view text) {
 
 std::string json_in_html(std::string json) { return replace_all(std::move(json), "<", "\\u003c"); }
 
-std::string to_html(HtmlPage page) {
+std::string to_html(HtmlPage page) {  // NOLINT(performance-unnecessary-value-param): its texts are let go one by one
   std::string script, style;
   for (const auto part : page.scripts) script.append(part).append("\n");
   for (const auto part : page.styles) style.append(part);

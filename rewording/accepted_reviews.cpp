@@ -22,7 +22,7 @@ class Judge {
     std::map<std::string, Judgment> judged;
     for (const Review& review : reviews) judged.emplace(review.task, review.judgment);
     std::set<std::string> edited;  // homes
-    const auto read = for_each_worded_task(context_.folder, {}, [&](WordedTask&& task) -> Result<Done> {
+    auto read = for_each_worded_task(context_.folder, {}, [&](WordedTask&& task) -> Result<Done> {
       const auto review = judged.find(task.record.id);
       if (review == judged.end()) return Done{};
       if (review->second == Judgment::Edit) edited.insert(task.record.layout);

@@ -109,7 +109,7 @@ AnnotateOptions counting(AnnotateOptions options, AnnotateReport& report) {
 Result<Done> for_each_batch(const fs::path& folder, const std::function<Result<Done>(std::vector<WordedTask>&)>& use) {
   constexpr std::size_t kAtOnce = 512;  // many requests for a model at a time, and few megabytes
   std::vector<WordedTask> batch;
-  const auto read = for_each_worded_task(folder, {}, [&](WordedTask&& task) -> Result<Done> {
+  auto read = for_each_worded_task(folder, {}, [&](WordedTask&& task) -> Result<Done> {
     batch.push_back(std::move(task));
     if (batch.size() < kAtOnce) return Done{};
     auto used = use(batch);

@@ -164,7 +164,8 @@ bool rooms_suit(const Formula& goal, const Layout& layout, const Household& hous
     for (const std::string& place : places) {
       const auto& there = home.places.of(place);
       if (there.empty() || home.scene.nodes[there.front()].movable) continue;
-      if (std::none_of(there.begin(), there.end(), [&](std::size_t node) { return suits(category, node); }))
+      if (std::none_of(there.begin(), there.end(),
+                       [&, &category = category](std::size_t node) { return suits(category, node); }))
         return false;
     }
   }

@@ -157,7 +157,7 @@ std::optional<Rejection> show(Task& task, ExecutionTree& executions, const std::
   for (const Mode mode : modes) {
     if (mode == Mode::M1) continue;
     auto other = demonstrate_in(mode, executions, task.demonstration, usual,
-                                mode == Mode::M2 ? std::move(by_belief) : std::vector<Action>{});
+                                mode == Mode::M2 ? by_belief : std::vector<Action>{});
     if (auto* why = std::get_if<Rejection>(&other)) return std::move(*why);
     const auto missable = needless_steps(executions, std::get<Demonstration>(other));
     if (!missable.empty())

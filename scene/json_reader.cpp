@@ -140,13 +140,13 @@ void JsonReader::keep_within(const JsonAt& at, double farthest, double most) {
 }
 
 Vec2 JsonReader::vec2_within(const JsonAt& at, double most) {
-  const Vec2 value = vec2(at);
+  Vec2 value = vec2(at);
   keep_within(at, value.cwiseAbs().maxCoeff(), most);
   return value;
 }
 
 Vec3 JsonReader::vec3_within(const JsonAt& at, double most) {
-  const Vec3 value = vec3(at);
+  Vec3 value = vec3(at);
   keep_within(at, value.cwiseAbs().maxCoeff(), most);
   return value;
 }

@@ -61,7 +61,7 @@ void write(JsonText& json, const Board& board) {
 }
 
 Vec3 extents_from_json(JsonReader& reader, const JsonAt& at) {
-  const Vec3 size = reader.vec3_within(at, limits::kObject_m);
+  Vec3 size = reader.vec3_within(at, limits::kObject_m);
   if (!reader.error() && !(size.minCoeff() > 0)) reader.fail(at, "expected three lengths above 0");
   return size;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/text.h"
 
@@ -36,9 +37,7 @@ Sense refused_by(const SenseRule& rule) {
   return {Grade::Senseless, 0, {"rule " + rule.name + ": " + rule.reason}, "rule:" + rule.name};
 }
 
-std::string short_number(double value) {
-  return number_text(static_cast<double>(static_cast<int>(value * 100 + 0.5)) / 100);
-}
+std::string short_number(double value) { return number_text(static_cast<double>(std::lround(value * 100)) / 100); }
 
 }  // namespace
 
@@ -145,7 +144,7 @@ Role CommonSense::known_role(const Thing& thing, const Role& role) const {
   // The nearest kind of the substance that somebody spoke of together with the thing.
   const auto things = kinds_.lineage(thing.kind);
   for (const Kind* substance : kinds_.lineage(role.substr(mark + 1))) {
-    const Role wider = word + ":" + substance->name;
+    Role wider = word + ":" + substance->name;
     for (const Kind* kind : things) {
       if (judgments_.contains({kind->name, wider})) return wider;
     }

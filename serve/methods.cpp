@@ -68,7 +68,7 @@ MethodResult open(const MethodCall& call) {
   auto read = settings_from_json(kCallName, settings);
   if (!read) return wrong_parameters(in_call(read.error()));
   if (session.pictures && !read->rules.picture) return wrong_parameters("/pictures: the setting \"picture\" is false");
-  session.settings = std::move(*read);
+  session.settings = *read;
   const Json known = settings_to_json(session.settings);
   const bool is_full = call.caller != nullptr && call.caller->sessions.size() >= call.caller->most_sessions;
   auto token = is_full ? std::nullopt : call.sessions.open(std::move(session), call.now);

@@ -94,7 +94,7 @@ struct Protocol::Impl {
   }
 };
 
-Protocol::Protocol(ServedTasks tasks, ProtocolOptions options)
+Protocol::Protocol(ServedTasks tasks, const ProtocolOptions& options)
     : impl_(new Impl{std::move(tasks), options, SessionTable(options.sessions, options.idle, options.token)}) {}
 Protocol::Protocol(Protocol&&) noexcept = default;
 Protocol& Protocol::operator=(Protocol&&) noexcept = default;

@@ -16,7 +16,7 @@ namespace unietp {
 /// the sessions that were idle too long: equal calls to a session give equal bytes, whatever others do meanwhile.
 class Protocol {
  public:
-  Protocol(ServedTasks tasks, ProtocolOptions options);
+  Protocol(ServedTasks tasks, const ProtocolOptions& options);
   Protocol(Protocol&&) noexcept;
   Protocol& operator=(Protocol&&) noexcept;
   ~Protocol();

@@ -46,7 +46,7 @@ ActionResult perform_alone(WorldState& state, ActionType type) {
 /// A freezer may have the effect `freezes` without `cools`.
 ActionResult cool_with(WorldState& state, std::size_t tool, const PassesThrough& passes) {
   const std::size_t before = state.mark();
-  const ActionResult cooled = treat_with(state, tool, Treatment::Cools, passes);
+  ActionResult cooled = treat_with(state, tool, Treatment::Cools, passes);
   if (cooled.failure != Failure::NoEffect) return cooled;
   state.back_to(before);
   return treat_with(state, tool, Treatment::Freezes, passes);

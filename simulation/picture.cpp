@@ -107,7 +107,10 @@ class Painter {
     }
   }
 
-  static std::uint8_t byte_of(double value) { return static_cast<std::uint8_t>(std::clamp(value, 0.0, 255.0) + 0.5); }
+  /// Rounded; never negative, and `lround` would be a call for each pixel.
+  static std::uint8_t byte_of(double value) {
+    return static_cast<std::uint8_t>(std::clamp(value, 0.0, 255.0) + 0.5);  // NOLINT(bugprone-incorrect-roundings)
+  }
 
   Color color_at(int x, int y) { return color_of(spots_[index(x, y)], way(x, y), light_at(x, y), 0); }
 

@@ -40,7 +40,7 @@ Portrait portrait_scene(const Node& object, const Profile& profile, const Portra
   scene.agent.yaw = std::atan2(-aside.y(), -aside.x());
   scene.agent.pitch = options.down_rad;
   camera.camera_height_m = shown.pose.position.z() + away * std::sin(options.down_rad);
-  return {std::move(scene), std::move(camera)};
+  return {std::move(scene), camera};
 }
 
 Picture portrait_of(const Node& object, const Profile& profile, const PortraitOptions& options) {

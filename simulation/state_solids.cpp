@@ -86,8 +86,10 @@ void add_water(const Node& node, const Shape& shape, Extras& extras) {
   }
   if (node.category.find("hower") != std::string::npos) {
     constexpr double kFall_m = 0.8;
-    for (int i = 0; i < 9; ++i)
-      extras.pillar({(i % 3 - 1) * 0.6 * h.x(), (i / 3 - 1) * 0.6 * h.y(), -h.z()}, kFall_m, 0.012, Skin::Water);
+    for (const int row : {-1, 0, 1}) {
+      for (const int column : {-1, 0, 1})
+        extras.pillar({column * 0.6 * h.x(), row * 0.6 * h.y(), -h.z()}, kFall_m, 0.012, Skin::Water);
+    }
     return;
   }
   const double wide = std::clamp(0.3 * h.x(), 0.014, 0.05);

@@ -78,9 +78,8 @@ Estimate AtomEstimator::to_hold(Id id, int depth) const {
   if (world_.held == id) return {};
   if (!kind(id).pickupable || depth > kDeepestNeed) return kUnreachable;
   Estimate need = to_reach(id, depth);
-  if (world_.held != kNobody && root_of(world_, id) != world_.held)
-    need = together(std::move(need), to_free_hand(depth + 1));
-  return then(std::move(need), {ActionType::PickUp, id});
+  if (world_.held != kNobody && root_of(world_, id) != world_.held) need = together(need, to_free_hand(depth + 1));
+  return then(need, {ActionType::PickUp, id});
 }
 
 bool AtomEstimator::takes(Id id, Predicate relation, Id place) const {
@@ -117,15 +116,14 @@ Estimate AtomEstimator::to_place(Id id, Predicate relation, Id place, Id beside,
   if (!takes(id, relation, place) && root_of(world_, place) != id) need = to_make_room(id, relation, place, depth);
   if (world_.held != id && root_of(world_, place) == world_.held) {  // one put-down frees the hand for both
     if (!kind(id).pickupable) return kUnreachable;
-    need = together(together(std::move(need), to_free_hand(depth + 1)), after(to_reach(id, depth), 1));
+    need = together(together(need, to_free_hand(depth + 1)), after(to_reach(id, depth), 1));
   } else {
     const bool into = relation == Predicate::Inside && kind(place).openable && !world_[place].has(Predicate::Open);
-    need = together(std::move(need),
-                    into ? to_state(place, Predicate::Open, kAnySymbol, depth + 1) : to_reach(place, depth));
-    if (world_.held != id) need = together(std::move(need), to_hold(id, depth));
+    need = together(need, into ? to_state(place, Predicate::Open, kAnySymbol, depth + 1) : to_reach(place, depth));
+    if (world_.held != id) need = together(need, to_hold(id, depth));
   }
   const auto action = relation == Predicate::On ? ActionType::PlaceOn : ActionType::PlaceIn;
-  const Estimate put = then(std::move(need), {action, place, beside});
+  const Estimate put = then(need, {action, place, beside});
   if (!treats_by_power(place, id)) return put;
   Choice ways;  // a running appliance treats what is put into it, wanted or not
   ways.add(put);
@@ -172,8 +170,8 @@ Estimate AtomEstimator::to_room(Id room, bool wanted) const {
 
 Estimate AtomEstimator::to_drop(Id id, Id room, int depth) const {
   Estimate need = to_hold(id, depth);
-  if (world_.room != room) need = together(std::move(need), to_room(room, true));
-  return then(std::move(need), {ActionType::Drop});
+  if (world_.room != room) need = together(need, to_room(room, true));
+  return then(need, {ActionType::Drop});
 }
 
 Estimate AtomEstimator::to_bring(Id id, Id room, int depth) const {
@@ -203,8 +201,8 @@ Estimate AtomEstimator::to_bring_beside(Id id, Id other, bool under, int depth) 
   const Thing& host = world_[other];
   if (host.where == PlaceKind::Floor) {
     Estimate need = together(to_hold(id, depth), to_reach(other, depth));
-    if (need.possible() && world_.by != other) need = together(std::move(need), one_step({ActionType::GoTo, other}));
-    return then(std::move(need), {ActionType::Drop, kNobody, other, under});
+    if (need.possible() && world_.by != other) need = together(need, one_step({ActionType::GoTo, other}));
+    return then(need, {ActionType::Drop, kNobody, other, under});
   }
   if (under || (host.where != PlaceKind::On && host.where != PlaceKind::Inside)) return kUnreachable;
   return to_place(id, host.where == PlaceKind::On ? Predicate::On : Predicate::Inside, host.at, other, depth);

@@ -65,7 +65,7 @@ Estimate Heuristic::toward(std::size_t index, bool wanted, const World& world, c
     case Goal::Op::Or: {
       if ((node.op == Goal::Op::And) == wanted) {
         Estimate all;
-        for (const auto child : node.children) all = together(std::move(all), toward(child, wanted, world, progress));
+        for (const auto child : node.children) all = together(all, toward(child, wanted, world, progress));
         return all;
       }
       Choice ways;
@@ -103,12 +103,13 @@ Estimate Heuristic::toward_number(const std::vector<std::size_t>& children, int 
   const int missing = number < least ? least - number : 0;
   const int excess = number > most ? number - most : 0;
   auto& ways = missing > 0 ? yes : no;
-  const auto needed = static_cast<std::size_t>(missing + excess);
+  const int changes = missing + excess;
+  const auto needed = static_cast<std::size_t>(changes);
   if (needed == 0) return kNothing;
   if (needed > ways.size()) return kUnreachable;
   std::stable_sort(ways.begin(), ways.end(), [](const Estimate& a, const Estimate& b) { return a.cost < b.cost; });
   Estimate all;
-  for (std::size_t i = 0; i < needed; ++i) all = together(std::move(all), ways[i]);
+  for (std::size_t i = 0; i < needed; ++i) all = together(all, ways[i]);
   if (all.possible() && needed < ways.size() && ways[needed].possible()) return with_steps_of(all, ways[needed]);
   return all;
 }

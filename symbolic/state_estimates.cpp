@@ -5,9 +5,9 @@
 namespace unietp::symbolic {
 Estimate AtomEstimator::with_held(Id tool, ActionType action, Id target, Estimate need, int depth) const {
   if (!offered(action)) return kUnreachable;
-  need = together(std::move(need), to_hold(tool, depth));
-  if (world_.held != target || tool == target) need = together(std::move(need), to_reach(target, depth));
-  return then(std::move(need), {action, target});
+  need = together(need, to_hold(tool, depth));
+  if (world_.held != target || tool == target) need = together(need, to_reach(target, depth));
+  return then(need, {action, target});
 }
 
 Estimate AtomEstimator::to_cover(const Atom& atom, int depth) const {
@@ -27,7 +27,7 @@ Estimate AtomEstimator::to_clean(Id id, int depth) const {
     const bool wet = world_[id].coats.has_other_than(dust) || world_[id].has(Predicate::Dirty);
     Estimate need;
     if (wet && world_[tool].has(Predicate::Dry)) need = to_state(tool, Predicate::Soaked, kAnySymbol, depth + 1);
-    ways.add(with_held(tool, ActionType::Wipe, id, std::move(need), depth));
+    ways.add(with_held(tool, ActionType::Wipe, id, need, depth));
   });
   return ways.estimate();
 }
@@ -49,10 +49,10 @@ Estimate AtomEstimator::by_composite(Id id, Id tool, ActionType action, const Re
   if (setting_.rules->capacity(setting_.kind_number(id), relation, setting_.kind_number(tool)) == 0)
     return kUnreachable;
   Estimate need = together(to_hold(id, depth), to_reach(tool, depth));
-  if (!takes(id, relation, tool)) need = together(std::move(need), to_make_room(id, relation, tool, depth));
+  if (!takes(id, relation, tool)) need = together(need, to_make_room(id, relation, tool, depth));
   const bool running = inside && kind(tool).openable && world_[tool].has(Predicate::PowerOn);
-  if (running) need = together(std::move(need), to_state(tool, Predicate::PowerOff, kAnySymbol, depth + 1));
-  return then(std::move(need), {action, tool});
+  if (running) need = together(need, to_state(tool, Predicate::PowerOff, kAnySymbol, depth + 1));
+  return then(need, {action, tool});
 }
 
 Estimate AtomEstimator::by_itself(Id id, Id tool, const Reaction& reaction, int depth) const {
@@ -66,7 +66,7 @@ Estimate AtomEstimator::by_itself(Id id, Id tool, const Reaction& reaction, int 
     Estimate need;
     if (power && shut && world_[tool].has(Predicate::PowerOn)) {
       need = to_state(tool, Predicate::PowerOff, kAnySymbol, depth + 1);
-      if (need.cost > 0) return after(std::move(need), 4);
+      if (need.cost > 0) return after(need, 4);
     }
     return after(to_place(id, relation, tool, kNobody, depth), afterwards);
   }
@@ -87,9 +87,9 @@ Estimate AtomEstimator::to_fill(Id id, std::optional<SubstanceId> symbol, int de
       if (!holds(setting_, world_, Predicate::Filled, vessel, kNobody, symbol)) {
         Choice fillings;
         if (depth + 2 <= kDeepestNeed) treated(vessel, Treatment::Fills, symbol, depth + 2, fillings);
-        need = together(std::move(need), fillings.estimate());
+        need = together(need, fillings.estimate());
       }
-      ways.add(with_held(vessel, ActionType::PourTo, id, std::move(need), depth));
+      ways.add(with_held(vessel, ActionType::PourTo, id, need, depth));
     }
   }
   return ways.estimate();
@@ -109,8 +109,8 @@ Estimate AtomEstimator::to_empty(Id id, int depth) const {
 }
 
 Estimate AtomEstimator::done_to(Id id, ActionType action, Estimate need, int depth, bool also_in_hand) const {
-  if (!also_in_hand || world_.held != id) need = together(std::move(need), to_reach(id, depth));
-  return then(std::move(need), {action, id});
+  if (!also_in_hand || world_.held != id) need = together(need, to_reach(id, depth));
+  return then(need, {action, id});
 }
 
 Estimate AtomEstimator::to_unload(Id id, int depth) const {
@@ -133,15 +133,15 @@ Estimate AtomEstimator::directly(Id id, ActionType action, int depth) const {
     const auto other = opposite_of(one.state);
     const bool own = one.state == aim || other == aim;  // that it is not so yet, which the caller knows
     if (one.kind == Kind::IsNot && !own && world_[id].has(one.state) && other)
-      need = together(std::move(need), to_state(id, *other, kAnySymbol, depth + 1));
+      need = together(need, to_state(id, *other, kAnySymbol, depth + 1));
     if (one.kind == Kind::Is && !own && !world_[id].has(one.state))
-      need = together(std::move(need), to_state(id, one.state, kAnySymbol, depth + 1));
-    if (one.kind == Kind::HandFree && world_.held != kNobody) need = together(std::move(need), to_free_hand(depth + 1));
-    if (one.kind == Kind::Unloaded && world_.held == kNobody) need = together(std::move(need), to_unload(id, depth));
-    if (one.kind == Kind::InHand) need = together(std::move(need), to_hold(id, depth));
+      need = together(need, to_state(id, one.state, kAnySymbol, depth + 1));
+    if (one.kind == Kind::HandFree && world_.held != kNobody) need = together(need, to_free_hand(depth + 1));
+    if (one.kind == Kind::Unloaded && world_.held == kNobody) need = together(need, to_unload(id, depth));
+    if (one.kind == Kind::InHand) need = together(need, to_hold(id, depth));
     also_in_hand = also_in_hand || one.kind == Kind::ReachOrInHand || one.kind == Kind::InHand;
   }
-  return done_to(id, action, std::move(need), depth, also_in_hand);
+  return done_to(id, action, need, depth, also_in_hand);
 }
 
 Estimate AtomEstimator::to_state(Id id, Predicate state, std::optional<SubstanceId> symbol, int depth) const {

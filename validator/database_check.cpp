@@ -199,7 +199,7 @@ void DatabaseCheck::add(const TaskReading& task, const TaskFacts& facts) {
   const auto found = [&](std::string fault) {
     if (!fault.empty()) problems_.add(database_problem(task.name, std::move(fault)));
   };
-  const auto in_table = [](const char* table, std::string fault) {
+  const auto in_table = [](const char* table, const std::string& fault) {
     return fault.empty() ? fault : "the table " + std::string(table) + " " + fault;
   };
   try {

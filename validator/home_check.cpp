@@ -45,7 +45,8 @@ ProblemList check_homes(const std::filesystem::path& folder, const ManifestRecor
   }
   for (const auto& [path, unused] : manifest.files) {
     const bool home = path.starts_with("homes/");
-    if (home && std::none_of(used.begin(), used.end(), [&](const auto& name) { return path == home_file(name); }))
+    if (home &&
+        std::none_of(used.begin(), used.end(), [&, &path = path](const auto& name) { return path == home_file(name); }))
       problems.add(problem_in(ProblemKind::HomeFile, path, "is the home of no task"));
   }
   return problems;

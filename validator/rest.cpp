@@ -67,7 +67,8 @@ void add_body(Digester& digest, const Scene& scene, const PhysicsWorld& physics,
   for (const Board& board : node.boards) {
     add(digest, board.center);
     add(digest, board.size);
-    digest.add(static_cast<std::uint64_t>(board.joint + 1));
+    const int joint = board.joint + 1;  // 0: moves with the body
+    digest.add(static_cast<std::uint64_t>(joint));
   }
 }
 

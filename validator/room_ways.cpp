@@ -50,7 +50,8 @@ void RoomWays::walk(std::size_t first) {
     const int x = static_cast<int>(i) % width_, y = static_cast<int>(i) / width_;
     const auto at = [&, x = x, y = y](int dx, int dy) -> std::optional<std::size_t> {
       if (x + dx < 0 || x + dx >= width_ || y + dy < 0 || y + dy >= height_) return std::nullopt;
-      const auto place = static_cast<std::size_t>((y + dy) * width_ + x + dx);
+      const int cell = (y + dy) * width_ + x + dx;
+      const auto place = static_cast<std::size_t>(cell);
       return floor_[place] ? std::optional(place) : std::nullopt;
     };
     for (int dy = -1; dy <= 1; ++dy) {
