@@ -80,6 +80,9 @@ std::vector<ActionText> monitor_actions(const ActionSet& offered) {
                              ") (not (now ?m))))");
     }
   }
+  const std::string not_kept =
+      "(forall (?m ?n - monitor) (when (and (kept-until ?m ?n) (not (seen ?n)) (not (now ?n)) (not (now ?m))) "
+      "(not-kept ?m ?n)))";
   const ActionText judge{
       "judge",
       "",
@@ -87,9 +90,7 @@ std::vector<ActionText> monitor_actions(const ActionSet& offered) {
       {"(not (to-judge))", "(ready)", "(forall (?m - monitor) (when (now ?m) (seen ?m)))",
        "(forall (?m - monitor) (when (not (now ?m)) (missed ?m)))",
        "(forall (?m ?n - monitor) (when (and (ordered ?m ?n) (now ?n) (seen ?m) (not (seen ?n))) (in-order ?m ?n)))",
-       "(forall (?m ?n - monitor) (when (and (kept-until ?m ?n) (not (seen ?n)) (not (now ?n)) (not (now ?m))) "
-       "(not-kept "
-       "?m ?n)))"}};
+       not_kept}};
   return {note, judge};
 }
 

@@ -20,7 +20,7 @@ class StepWriter {
     const auto at = [&] { return " " + name(step.target); };
     const auto held = [&] { return " " + name(world_.held); };
     const bool in_hand = step.target != kNobody && world_.held == step.target;
-    const auto on_target = "(" + word + (in_hand ? "-held" : "") + (step.target == kNobody ? "" : at()) + ")";
+    auto on_target = "(" + word + (in_hand ? "-held" : "") + (step.target == kNobody ? "" : at()) + ")";
     switch (step.action) {
       case ActionType::GoTo: {
         if (step.target.is_room()) return "(" + word + "-room" + at() + ")";
@@ -88,9 +88,7 @@ class PlanWriter {
  public:
   PlanWriter(const symbolic::Setting& setting, const World& start, const symbolic::Goal& goal, const Problem& problem,
              const std::vector<std::pair<std::string, std::string>>& pieces)
-      : setting_(setting), goal_(goal), problem_(problem), pieces_(pieces), world_(start), progress_(goal) {
-    progress_.observe(goal_, setting_, world_);
-  }
+      : setting_(setting), start_(start), goal_(goal), problem_(problem), pieces_(pieces), world_(start) {}
 
   Result<std::vector<std::string>> write(const std::vector<Action>& actions) {
     for (const auto& action : actions) {
@@ -99,15 +97,13 @@ class PlanWriter {
       if (!action.args.empty() && target == kNobody) return refused(action, Failure::InvalidArgument);
       const Step step{action.type, target};
       auto trial = world_;
-      if (perform(setting_, trial, step) == Failure::TooFar) {
-        leave_out_last_walk();
-        (void)take({ActionType::GoTo, target});
-      }
+      if (perform(setting_, trial, step) == Failure::TooFar) (void)take({ActionType::GoTo, target});
       if (const Failure failure = take(step); failure != Failure::None) return refused(action, failure);
     }
-    if (!holds(goal_, goal_.root(), setting_, world_, progress_))
+    if (!reaches_goal(steps_))
       return Error{Error::Kind::Unsatisfiable, "plan", {}, "reaches the goal in physics, but not in symbols"};
-    return std::move(lines_);
+    leave_out_needless();
+    return lines();
   }
 
  private:
@@ -118,31 +114,50 @@ class PlanWriter {
             "the symbols do not allow " + to_text(action) + ": " + std::string(name_of(failure))};
   }
 
-  /// If the plan ends with a walk that matters to nothing: from there, physics had within reach what is now gone to.
-  void leave_out_last_walk() {
-    if (!before_walk_ || before_walk_->progress != progress_) return;
-    world_ = std::move(before_walk_->world);
-    lines_.resize(before_walk_->lines);
-  }
-
   Failure take(const Step& step) {
     // What is not there yet, such as a piece before the cut, and what is in the hand stands in no room.
     if (step.action == ActionType::GoTo && step.target.is_thing() && !world_[root_of(world_, step.target)].at.is_room())
       return Failure::InvalidArgument;
     auto trial = world_;
     if (const Failure failure = perform(setting_, trial, step); failure != Failure::None) return failure;
-    before_walk_.reset();
-    if (step.action == ActionType::GoTo) before_walk_ = {world_, progress_, lines_.size()};
     for (const Step& one : written_as(setting_, problem_, world_, step)) {
-      trial = world_;
-      const auto text = step_text(setting_, problem_, world_, one);
-      if (const Failure failure = progress_.perform(goal_, setting_, trial, one); failure != Failure::None)
-        return failure;
-      lines_.push_back(text);
-      if (problem_.watching) lines_.insert(lines_.end(), {"(note)", "(judge)"});
-      world_ = std::move(trial);
+      if (const Failure failure = perform(setting_, world_, one); failure != Failure::None) return failure;
+      steps_.push_back(one);
     }
     return Failure::None;
+  }
+
+  bool reaches_goal(const std::vector<Step>& steps) const {
+    World world = start_;
+    symbolic::Progress progress(goal_);
+    progress.observe(goal_, setting_, world);
+    for (const Step& step : steps)
+      if (progress.perform(goal_, setting_, world, step) != Failure::None) return false;
+    return holds(goal_, goal_.root(), setting_, world, progress);
+  }
+
+  /// What only physics needs: a door closed because it stands in the way, a walk to where another place is within
+  /// reach too. The later steps first, as a walk is needless once what it led to is.
+  void leave_out_needless() {
+    for (std::size_t before = 0; before != steps_.size();) {
+      before = steps_.size();
+      for (std::size_t i = steps_.size(); i-- > 0;) {
+        auto without = steps_;
+        without.erase(without.begin() + static_cast<std::ptrdiff_t>(i));
+        if (reaches_goal(without)) steps_ = std::move(without);
+      }
+    }
+  }
+
+  std::vector<std::string> lines() const {
+    std::vector<std::string> all;
+    World world = start_;
+    for (const Step& step : steps_) {
+      all.push_back(step_text(setting_, problem_, world, step));
+      if (problem_.watching) all.insert(all.end(), {"(note)", "(judge)"});
+      (void)perform(setting_, world, step);
+    }
+    return all;
   }
 
   /// Pieces have other names in physics: the n-th cut from a whole is the n-th here.
@@ -163,20 +178,13 @@ class PlanWriter {
     return kNobody;
   }
 
-  struct BeforeWalk {
-    World world;
-    symbolic::Progress progress;
-    std::size_t lines;
-  };
-
   const symbolic::Setting& setting_;
+  const World& start_;
   const symbolic::Goal& goal_;
   const Problem& problem_;
   const std::vector<std::pair<std::string, std::string>>& pieces_;
-  World world_;
-  symbolic::Progress progress_;
-  std::vector<std::string> lines_;
-  std::optional<BeforeWalk> before_walk_;  // when the last step was one
+  World world_;  // after the steps
+  std::vector<Step> steps_;
 };
 
 }  // namespace

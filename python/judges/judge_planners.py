@@ -36,9 +36,8 @@ from sas_task import SasTask, actions_of, holds
 
 warnings.filterwarnings("ignore", module="unified_planning")
 DOWNWARD = Path(up_fast_downward.__file__).parent / "downward" / "fast-downward.py"
-# The monitors' actions at the end of a plan may be none that its goal needs. Nor is a second walk to where the agent is:
-# PDDL has places, and not where at a fridge one stands while it is opened and after.
-SPARE = ("note", "judge", "again")
+# The monitors' actions at the end of a plan may be none that its goal needs.
+SPARE = ("note", "judge")
 # Fast Downward looks for facts that exclude each other, to make variables of them: nine tenths of the time for large problems.
 # Without them each fact is a variable of its own, which changes neither what actions do nor which plans there are.
 WITHOUT_INVARIANTS = ("--invariant-generation-max-candidates", "0")
@@ -83,12 +82,6 @@ class Limits:
         resource.setrlimit(resource.RLIMIT_AS, (self.memory << 20, self.memory << 20))
 
 
-def kind_of(plan, step):
-    """The action of a step; "again" for a walk to where the walk before it led."""
-    walks = [action for action in plan[:step] if action.startswith("go_to ")]
-    return "again" if walks and walks[-1] == plan[step] else plan[step].split()[0]
-
-
 def judged_by_downward(problem, limits, folder):
     """The columns of a row up to `solution_valid`. The plan that was found is left in `folder`."""
     row = {"task": problem.stem}
@@ -104,7 +97,7 @@ def judged_by_downward(problem, limits, folder):
     states = task.states(stored)
     valid = len(states) == len(stored) + 1 and holds(task.goal, states[-1])
     spare = [
-        f"{left_out}:{kind_of(stored, left_out)}"
+        f"{left_out}:{stored[left_out].split()[0]}"
         for left_out in range(len(stored) if valid else 0)
         if task.reaches(stored[left_out + 1 :], states[left_out])
     ]
