@@ -4,26 +4,26 @@
 #include <map>
 
 #include "scores/bootstrap.h"
+#include "scores/clustered_interval.h"
 #include "scores/pass_rates.h"
 
 namespace unietp {
 namespace {
 
-/// Every interval draws from the same stream, so that it depends only on its episodes.
+/// Every bootstrap draws from the same stream, so that it depends only on its episodes.
 constexpr std::uint64_t kBootstrapSeed = 1;
 
-Interval interval_of(const Episodes& episodes, const Figures& figures, bool repeated) {
-  if (!repeated) return wilson_interval(figures.successes, figures.finished());
-  std::map<std::string, ClusterSum> homes;
+std::vector<ClusterCount> by_home(const Episodes& episodes) {
+  std::map<std::string, ClusterCount> homes;
   for (const EpisodeScore* one : episodes) {
     if (one->errored()) continue;
-    ClusterSum& home = homes[one->layout];
-    home.sum += one->success ? 1 : 0;
-    home.count += 1;
+    ClusterCount& home = homes[one->layout];
+    home.successes += one->success ? 1 : 0;
+    home.episodes += 1;
   }
-  std::vector<ClusterSum> clusters;
-  for (const auto& [name, sum] : homes) clusters.push_back(sum);
-  return bootstrap_interval(clusters, Rng(kBootstrapSeed));
+  std::vector<ClusterCount> clusters;
+  for (const auto& [name, count] : homes) clusters.push_back(count);
+  return clusters;
 }
 
 void add(Figures& all, const EpisodeScore& one) {
@@ -71,7 +71,13 @@ Figures figures_of(const Episodes& episodes, bool repeated) {
     all.errored += one->errored() ? 1 : 0;
     if (!one->errored()) add(all, *one);
   }
-  all.interval = interval_of(episodes, all, repeated);
+  if (repeated) {
+    const auto homes = by_home(episodes);
+    all.interval = clustered_interval(homes);
+    all.bootstrap = bootstrap_interval(homes, Rng(kBootstrapSeed));
+  } else {
+    all.interval = wilson_interval(all.successes, all.finished());
+  }
   const double n = all.episodes;
   if (all.episodes > 0) all.bounds = {all.successes / n, (all.successes + all.errored) / n};
   const auto mean = [](double& sum, int count) { sum = count == 0 ? 0 : sum / count; };

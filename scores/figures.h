@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct Figures {
   int successes = 0;                             // the goal is true at the end
   int stopped_successes = 0;                     // and the agent said `stop`
   Interval interval;                             // of the success rate, 95 %
+  std::optional<Interval> bootstrap;             // the same by a bootstrap over homes, where tasks were repeated
   Interval bounds;                               // of it if all errored episodes had failed, and if all had succeeded
   double progress = 0, steps = 0, failures = 0;  // means
   int with_plan = 0;                             // successes whose shortest plan is known
@@ -38,7 +40,7 @@ struct Figures {
   double success_rate() const { return finished() == 0 ? 0 : successes / static_cast<double>(finished()); }  // 0 to 1
 };
 
-/// `repeated`: tasks were done several times, so that the interval is the bootstrap's over homes; otherwise Wilson's.
+/// `repeated`: tasks were done several times, so that the interval is that of clusters, the homes; otherwise Wilson's.
 /// Deterministic.
 Figures figures_of(const Episodes& episodes, bool repeated);
 

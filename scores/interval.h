@@ -12,7 +12,5 @@ struct Interval {
 /// "Probable inference, the law of succession, and statistical inference", Journal of the American Statistical
 /// Association 22; without continuity correction.
 Interval wilson_interval(int successes, int trials);
-/// The same for a rate in [0, 1] that is worth `trials` independent trials, more than 0, and another quantile.
-Interval wilson_interval(double rate, double trials, double quantile);
 
 }  // namespace unietp

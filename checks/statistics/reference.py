@@ -50,25 +50,37 @@ def passes(rng):
     return {"n": n, "c": c, "k": k, "at": some, "all": every}
 
 
-def tail(clusters):
-    t = stats.t.ppf(0.975, clusters - 1)
-    return float(stats.norm.cdf(-numpy.sqrt(clusters / (clusters - 1)) * t))
-
-
 def bootstrap(rng):
     clusters = int(rng.integers(20, 180))
     counts = rng.integers(1, 8, clusters)
     sums = rng.binomial(counts, rng.beta(2, 3, clusters))
     found = stats.bootstrap((sums, counts), lambda s, c, axis: s.sum(axis=axis) / c.sum(axis=axis), paired=True,
                             vectorized=True, n_resamples=100_000, batch=10_000, method="percentile",
-                            confidence_level=1 - 2 * tail(clusters), rng=rng).confidence_interval
+                            rng=rng).confidence_interval
     return {"sums": sums.tolist(), "counts": counts.tolist(), "low": float(found.low), "high": float(found.high)}
+
+
+def clustered(rng):
+    """The posterior of scores/clustered_interval.h, on ten times as many rates."""
+    clusters = int(rng.integers(2, 60))
+    counts = 4 * rng.integers(1, 6, clusters)
+    mean, spread = rng.choice([0.02, 0.1, 0.3, 0.6, 0.95]), 1 / rng.uniform(0.02, 0.5) - 1
+    sums = rng.binomial(counts, rng.beta(mean * spread, (1 - mean) * spread, clusters))
+    steps = 4000
+    rates = numpy.sin((numpy.arange(steps) + 0.5) / steps * numpy.pi / 2) ** 2
+    logs = [numpy.log(0.25) + stats.binom.logpmf(sums[:, None], counts[:, None], rates).sum(axis=0)]
+    for i in range(1, 20):
+        c = (20 / i) ** 2 - 1
+        logs.append(numpy.log(0.75 * i / 190) + stats.betabinom.logpmf(sums[:, None], counts[:, None], rates * c, (1 - rates) * c).sum(axis=0))
+    below = numpy.concatenate([[0], numpy.cumsum(numpy.exp(numpy.array(logs) - numpy.max(logs)).sum(axis=0))])
+    low, high = numpy.sin(numpy.interp([0.025, 0.975], below / below[-1], numpy.arange(steps + 1) / steps) * numpy.pi / 2) ** 2
+    return {"sums": sums.tolist(), "counts": counts.tolist(), "low": float(low) if sums.any() else 0.0,
+            "high": float(high) if (sums < counts).any() else 1.0}
 
 
 def main():
     warnings.simplefilter("ignore")
     rng = numpy.random.default_rng(27)
-    numbers = sorted({int(n) for n in rng.integers(6, 400, 30)})
     lists = {
         "wilson": [wilson(rng) for _ in range(80)],
         "mcnemar": [paired(rng) for _ in range(60)],
@@ -76,8 +88,8 @@ def main():
         "sign_flip_drawn": [flips(rng, int(rng.integers(20, 80)), 400_000) for _ in range(6)],
         "holm": [corrected(rng) for _ in range(30)],
         "pass": [passes(rng) for _ in range(80)],
-        "tail": [{"clusters": n, "tail": tail(n)} for n in numbers],
         "bootstrap": [bootstrap(rng) for _ in range(8)],
+        "clustered": [clustered(rng) for _ in range(40)],
     }
     rows = ",\n".join(f'"{name}": [\n' + ",\n".join(map(json.dumps, cases)) + "]" for name, cases in lists.items())
     print("{" + rows + "}")

@@ -6,6 +6,7 @@
 
 #include "core/files.h"
 #include "scores/bootstrap.h"
+#include "scores/clustered_interval.h"
 #include "scores/interval.h"
 #include "scores/paired_test.h"
 #include "scores/pass_rates.h"
@@ -64,14 +65,8 @@ TEST(PassRates, AreThoseOfScipysBinomials) {
   }
 }
 
-/// The share of draws below the lower end that makes percentiles fit for small samples (Hesterberg 2015, "What teachers
-/// should know about the bootstrap", The American Statistician 69).
-double expanded_tail(double clusters) {
-  return std::erfc(std::sqrt(clusters / (clusters - 1)) * student_975(clusters - 1) / std::sqrt(2.0)) / 2;
-}
-
-std::vector<ClusterSum> clusters_of(const Json& one) {
-  std::vector<ClusterSum> clusters;
+std::vector<ClusterCount> clusters_of(const Json& one) {
+  std::vector<ClusterCount> clusters;
   for (std::size_t i = 0; i < one["sums"].size(); ++i) clusters.push_back({one["sums"][i], one["counts"][i]});
   return clusters;
 }
@@ -79,37 +74,59 @@ std::vector<ClusterSum> clusters_of(const Json& one) {
 TEST(Bootstrap, IsThatOfScipyUpToTheDraws) {
   for (const Json& one : reference()["bootstrap"]) {
     const auto clusters = clusters_of(one);
-    const auto means = bootstrap_means(clusters, Rng(1), 20'000);
+    const auto rates = bootstrap_rates(clusters, Rng(1), 20'000);
     const double width = one["high"].get<double>() - one["low"].get<double>();
-    const double tail = expanded_tail(static_cast<double>(clusters.size()));
-    EXPECT_NEAR(quantile_of(means, tail), one["low"], 0.03 * width);
-    EXPECT_NEAR(quantile_of(means, 1 - tail), one["high"], 0.03 * width);
-    EXPECT_EQ(means, bootstrap_means(clusters, Rng(1), 20'000));
+    EXPECT_NEAR(quantile_of(rates, 0.025), one["low"], 0.03 * width);
+    EXPECT_NEAR(quantile_of(rates, 0.975), one["high"], 0.03 * width);
+    EXPECT_EQ(rates, bootstrap_rates(clusters, Rng(1), 20'000));
+    const Interval interval = bootstrap_interval(clusters, Rng(1));
+    EXPECT_NEAR(interval.low, one["low"], 0.1 * width);
+    EXPECT_NEAR(interval.high, one["high"], 0.1 * width);
   }
-  for (const Json& one : reference()["tail"])
-    EXPECT_NEAR(expanded_tail(one["clusters"]), one["tail"], 2e-5) << one.dump();
+  EXPECT_EQ(bootstrap_interval({}, Rng(1)), (Interval{0, 1}));
 }
 
-TEST(Bootstrap, GivesWilsonsIntervalOfAsManyTrialsAsItsDrawsAreWorth) {
-  // Homes of one task each are independent trials: the interval is Wilson's, but for Student's t and the draws.
-  std::vector<ClusterSum> single(200, {0, 1});
-  for (std::size_t i = 0; i < 30; ++i) single[i].sum = 1;
-  const Interval independent = bootstrap_interval(single, Rng(1), 20'000), wilson = wilson_interval(30, 200);
-  EXPECT_NEAR(independent.low, wilson.low, 0.003);
-  EXPECT_NEAR(independent.high, wilson.high, 0.003);
-  // Four repeats that always agree are worth one.
-  auto repeated = single;
-  for (ClusterSum& one : repeated) one = {4 * one.sum, 4 * one.count};
-  const Interval same = bootstrap_interval(repeated, Rng(1), 20'000);
-  EXPECT_NEAR(same.low, independent.low, 0.003);
-  EXPECT_NEAR(same.high, independent.high, 0.003);
+TEST(ClusteredInterval, IsThatOfScipysBetaBinomials) {
+  for (const Json& one : reference()["clustered"]) {
+    SCOPED_TRACE(one.dump());
+    const Interval interval = clustered_interval(clusters_of(one));
+    EXPECT_NEAR(interval.low, one["low"], 2e-4);
+    EXPECT_NEAR(interval.high, one["high"], 2e-4);
+  }
 }
 
-TEST(Bootstrap, StaysHonestWhereAllHomesAreAlike) {
-  const std::vector<ClusterSum> solved(30, {4, 4}), failed(30, {0, 4});
-  EXPECT_EQ(bootstrap_interval(solved, Rng(1)), wilson_interval(1, 30, student_975(29)));
-  EXPECT_EQ(bootstrap_interval(failed, Rng(1)), wilson_interval(0, 30, student_975(29)));
-  EXPECT_EQ(bootstrap_interval(std::vector<ClusterSum>{{1, 2}}, Rng(1)), (Interval{0, 1}));
+/// Homes of one task each say nothing of correlation: Jeffreys' interval, which is Wilson's to a percent.
+TEST(ClusteredInterval, OfIndependentEpisodesIsAboutWilsons) {
+  std::vector<ClusterCount> single(200, {0, 1});
+  for (std::size_t i = 0; i < 30; ++i) single[i].successes = 1;
+  const Interval independent = clustered_interval(single), wilson = wilson_interval(30, 200);
+  EXPECT_NEAR(independent.low, wilson.low, 0.004);
+  EXPECT_NEAR(independent.high, wilson.high, 0.004);
+  // Repeats that always agree are worth little more than one, and repeats that do not are worth more.
+  auto repeated = single, apart = single;
+  for (ClusterCount& one : repeated) one = {4 * one.successes, 4};
+  for (std::size_t i = 0; i < apart.size(); ++i) apart[i] = {i < 120 ? 1 : 0, 4};
+  const auto width = [](const Interval& one) { return one.high - one.low; };
+  EXPECT_NEAR(width(clustered_interval(repeated)), width(independent), 0.01);
+  EXPECT_LT(width(clustered_interval(apart)), 0.6 * width(independent));
+}
+
+TEST(ClusteredInterval, MirrorsFailuresAndStaysHonestWhereAllHomesAreAlike) {
+  const std::vector<ClusterCount> some{{3, 4}, {0, 8}, {1, 12}, {0, 4}, {9, 16}};
+  auto mirrored = some;
+  for (ClusterCount& one : mirrored) one.successes = one.episodes - one.successes;
+  const Interval found = clustered_interval(some), other = clustered_interval(mirrored);
+  EXPECT_NEAR(found.low, 1 - other.high, 1e-12);
+  EXPECT_NEAR(found.high, 1 - other.low, 1e-12);
+  EXPECT_EQ(clustered_interval(std::vector<ClusterCount>(some.rbegin(), some.rend())), found);
+
+  const std::vector<ClusterCount> solved(30, {4, 4}), failed(30, {0, 4});
+  EXPECT_EQ(clustered_interval(solved).high, 1);
+  EXPECT_EQ(clustered_interval(failed).low, 0);
+  EXPECT_GT(clustered_interval(failed).high, wilson_interval(0, 120).high);  // all alike may be chance
+  EXPECT_LT(clustered_interval(failed).high, wilson_interval(0, 20).high);
+  EXPECT_EQ(clustered_interval(std::vector<ClusterCount>{{1, 2}, {0, 0}}), (Interval{0, 1}));
+  EXPECT_EQ(clustered_interval({}), (Interval{0, 1}));
 }
 
 TEST(WilsonInterval, CoversTheTruthIn93To97PercentOfSimulations) {
@@ -130,49 +147,49 @@ TEST(WilsonInterval, CoversTheTruthIn93To97PercentOfSimulations) {
 }
 
 /// A benchmark in homes that are more or less hard: each home has a rate of its own, around a mean that is known.
-std::vector<ClusterSum> simulated_homes(Rng& rng, int homes, double mean, double spread, int repeats) {
-  std::vector<ClusterSum> clusters;
+std::vector<ClusterCount> simulated_homes(Rng& rng, int homes, double mean, double spread, int repeats) {
+  std::vector<ClusterCount> clusters;
   for (int h = 0; h < homes; ++h) {
     const double rate = mean + (rng.chance(0.5) ? spread : -spread);
-    ClusterSum cluster;
+    ClusterCount cluster;
     const int tasks = 1 + static_cast<int>(rng.below(5));
-    for (int i = 0; i < tasks * repeats; ++i) cluster.sum += rng.chance(rate) ? 1 : 0;
-    cluster.count = tasks * repeats;
+    for (int i = 0; i < tasks * repeats; ++i) cluster.successes += rng.chance(rate) ? 1 : 0;
+    cluster.episodes = tasks * repeats;
     clusters.push_back(cluster);
   }
   return clusters;
 }
 
-TEST(Bootstrap, CoversTheTruthIn93To97PercentOfSimulations) {
+TEST(ClusteredInterval, CoversTheTruthIn93To97PercentOfSimulations) {
   Rng rng(28);
   int covered = 0, by_wilson = 0;
   constexpr int kSimulations = 1500;
   for (int i = 0; i < kSimulations; ++i) {
     const double mean = rng.uniform(0.3, 0.7);
     const auto clusters = simulated_homes(rng, 40 + static_cast<int>(rng.below(130)), mean, 0.25, 4);
-    const Interval interval = bootstrap_interval(clusters, rng.fork("draws", i), 800);
+    const Interval interval = clustered_interval(clusters);
     covered += interval.low <= mean && mean <= interval.high ? 1 : 0;
-    ClusterSum all;
-    for (const auto& one : clusters) all = {all.sum + one.sum, all.count + one.count};
-    const Interval naive = wilson_interval(static_cast<int>(all.sum), static_cast<int>(all.count));
+    ClusterCount all;
+    for (const auto& one : clusters) all = {all.successes + one.successes, all.episodes + one.episodes};
+    const Interval naive = wilson_interval(all.successes, all.episodes);
     by_wilson += naive.low <= mean && mean <= naive.high ? 1 : 0;
   }
   EXPECT_GE(covered, 0.93 * kSimulations);
   EXPECT_LE(covered, 0.97 * kSimulations);
-  EXPECT_LT(by_wilson, 0.85 * kSimulations);  // why homes are drawn, and not episodes
+  EXPECT_LT(by_wilson, 0.85 * kSimulations);  // why episodes of one home are not taken for independent
   RecordProperty("coverage", std::to_string(covered / double{kSimulations}));
 }
 
-TEST(Bootstrap, CoversRareSuccessesInFewHomesToo) {
+TEST(ClusteredInterval, CoversRareSuccessesInFewHomesToo) {
   Rng rng(31);
-  constexpr int kSimulations = 600;
+  constexpr int kSimulations = 400;
   int all = 0, cells = 0;
   for (const int homes : {10, 20, 40}) {
     for (const double mean : {0.02, 0.05, 0.1, 0.2, 0.3}) {
       int covered = 0;
       for (int i = 0; i < kSimulations; ++i) {
         const auto clusters = simulated_homes(rng, homes, mean, std::min(0.25, mean), 4);
-        const Interval interval = bootstrap_interval(clusters, rng.fork("draws", i), 400);
+        const Interval interval = clustered_interval(clusters);
         covered += interval.low <= mean && mean <= interval.high ? 1 : 0;
       }
       const double coverage = covered / double{kSimulations};
