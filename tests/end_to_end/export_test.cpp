@@ -27,9 +27,9 @@ std::string text_of(const std::map<std::string, std::string>& files, const std::
   return found == files.end() ? "" : found->second;
 }
 
-/// Each demonstration, as a plan, is valid in its exported problem and reaches the goal, read by code of the tests
-/// alone.
-TEST(ExportPddl, EveryDemonstrationIsAPlanOfItsProblem) {
+/// Each demonstration, as a plan, is valid in its exported problem and reaches the goal, and not without any of its
+/// steps, read by code of the tests alone.
+TEST(ExportPddl, EveryDemonstrationIsAPlanOfItsProblemAndEachStepIsNeeded) {
   const ScratchFolder folder;
   const auto out = folder.at("pddl");
   const auto ended = run_program({"export", "--format", "pddl", small_data_set().string(), "--out", out});
@@ -47,9 +47,11 @@ TEST(ExportPddl, EveryDemonstrationIsAPlanOfItsProblem) {
     const auto problem = read_pddl_problem(bytes, domain);
     PddlMachine machine(domain, problem);
     EXPECT_FALSE(machine.goal_holds());
-    for (const auto& step : read_pddl_plan(text_of(files, fs::path(name).replace_extension(".plan"))))
+    const auto plan = read_pddl_plan(text_of(files, fs::path(name).replace_extension(".plan")));
+    for (const auto& step : plan)
       ASSERT_TRUE(machine.perform(step)) << step[0] << (step.size() > 1 ? " " + step[1] : "");
     EXPECT_TRUE(machine.goal_holds());
+    EXPECT_EQ(needless_step(domain, problem, plan), "");
     ++valid;
   }
   const auto left_out = text_of(files, "left_out.jsonl");

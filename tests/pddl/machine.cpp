@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <stdexcept>
 
 #include "reader.h"
@@ -129,6 +130,28 @@ std::vector<PddlFact> PddlMachine::possible() const {
     possible_from(name, action, scope, step, found);
   }
   return found;
+}
+
+bool reaches_goal(const PddlDomain& domain, const PddlProblem& problem, const std::vector<PddlFact>& plan) {
+  PddlMachine machine(domain, problem);
+  return std::ranges::all_of(plan, [&](const auto& step) { return machine.perform(step); }) && machine.goal_holds();
+}
+
+std::string needless_step(const PddlDomain& domain, const PddlProblem& problem, const std::vector<PddlFact>& plan) {
+  const auto of_monitor = [&](std::size_t i) { return plan[i][0] == "note" || plan[i][0] == "judge"; };
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    if (of_monitor(i)) continue;
+    std::size_t next = i + 1;
+    while (next < plan.size() && of_monitor(next)) ++next;
+    auto without = plan;
+    without.erase(without.begin() + static_cast<std::ptrdiff_t>(i),
+                  without.begin() + static_cast<std::ptrdiff_t>(next));
+    if (!reaches_goal(domain, problem, without)) continue;
+    std::string text = std::to_string(i + 1) + ":";
+    for (const auto& word : plan[i]) text += " " + word;
+    return text;
+  }
+  return "";
 }
 
 int shortest_pddl_plan(const PddlDomain& domain, const PddlProblem& problem, int most) {

@@ -123,14 +123,6 @@ std::vector<Action> actions_of(const std::vector<symbolic::Step>& steps, const s
   return actions;
 }
 
-/// Whether a reader that knows only PDDL reaches the goal with the lines of a plan.
-bool reaches_goal(const testing::PddlDomain& domain, const testing::PddlProblem& problem,
-                  const std::vector<std::string>& plan) {
-  PddlMachine machine(domain, problem);
-  return std::ranges::all_of(plan, [&](const auto& line) { return machine.perform(words(line)); }) &&
-         machine.goal_holds();
-}
-
 /// A problem stays small in a home with many places: two kinds of furniture on which to put a thing aside are enough.
 TEST(PddlProblem, HasTwoKindsOfFurnitureToPutAThingAside) {
   const auto& knowledge = committed_knowledge(Simulator::Ai2thor);
@@ -325,14 +317,9 @@ TEST(PddlPlan, HasOnlyStepsThatTheGoalNeeds) {
       longer.insert(longer.end(), actions.begin(), actions.end());
       const auto plan = posed->plan(longer);
       if (!plan) continue;  // what was done first is against the goal
-      ASSERT_TRUE(reaches_goal(domain, problem, *plan)) << join(*plan, "\n");
-      for (std::size_t i = 0; i < plan->size(); ++i) {
-        if ((*plan)[i] == "(note)" || (*plan)[i] == "(judge)") continue;
-        auto without = *plan;
-        const auto at = without.begin() + static_cast<std::ptrdiff_t>(i);
-        without.erase(at, at + (posed->problem.watching ? 3 : 1));
-        EXPECT_FALSE(reaches_goal(domain, problem, without)) << thing.id << " " << i << "\n" << join(*plan, "\n");
-      }
+      const auto steps = testing::read_pddl_plan(join(*plan, "\n"));
+      ASSERT_TRUE(reaches_goal(domain, problem, steps)) << join(*plan, "\n");
+      EXPECT_EQ(needless_step(domain, problem, steps), "") << thing.id << "\n" << join(*plan, "\n");
       ++tried;
       watching += posed->problem.watching ? 1 : 0;
       left_out += opens_and_closes ? 1 : 0;

@@ -80,6 +80,12 @@ class PddlMachine {
   PddlState state_;
 };
 
+/// Whether all steps can be done, and the goal holds after them.
+bool reaches_goal(const PddlDomain& domain, const PddlProblem& problem, const std::vector<PddlFact>& plan);
+/// The first step without which a plan reaches the goal too, but for those of the monitors, which follow each action
+/// and are left out with it; "" when each is needed.
+std::string needless_step(const PddlDomain& domain, const PddlProblem& problem, const std::vector<PddlFact>& plan);
+
 /// The length of a shortest plan by breadth-first search, -1 when there is none of `most` steps.
 int shortest_pddl_plan(const PddlDomain& domain, const PddlProblem& problem, int most);
 
