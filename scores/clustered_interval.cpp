@@ -15,7 +15,8 @@ constexpr std::size_t kRateSteps = 400, kCorrelations = 20;
 /// Of the i-th correlation, (i / 20)²: a quarter that there is none; else about uniform, as these lie the closer the
 /// smaller.
 double prior_of(std::size_t i) {
-  constexpr double kOfNone = 0.25, kSum = kCorrelations * (kCorrelations - 1) / 2;
+  constexpr double kOfNone = 0.25;
+  constexpr std::size_t kSum = kCorrelations * (kCorrelations - 1) / 2;
   return i == 0 ? kOfNone : (1 - kOfNone) * static_cast<double>(i) / kSum;
 }
 
