@@ -158,7 +158,7 @@ Exit make_data_set(RunCommand& command, const Resources& resources, const Comman
   command.run.licenses = program.folders.licenses();
   command.run.stop = program.interrupted;
   if (program.terminal) command.run.progress = [&line](const RunProgress& now) { line.draw(run_progress(now)); };
-  auto in_simulator = tell_in_simulator(resources, program.folders);
+  auto in_simulator = simulator_check(resources, program.folders);
   if (!in_simulator) return refuse(in_simulator.error());
   command.run.in_simulator = std::move(*in_simulator);
   const auto report = run_generation(command.configuration, resources, command.run);

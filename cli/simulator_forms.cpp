@@ -12,7 +12,7 @@ namespace {
 /// The forms, with the request that they refer to.
 struct Forms {
   ExportRequest request;
-  TellForms tell;
+  FormCheck check;
 };
 
 Result<std::shared_ptr<const Forms>> read_forms(const Resources& resources, const DataFolders& folders) {
@@ -20,9 +20,9 @@ Result<std::shared_ptr<const Forms>> read_forms(const Resources& resources, cons
   forms->request.data = folders.root / "data";
   for (const Backend& backend : resources.backends)
     forms->request.backends.push_back({&backend.knowledge, &backend.profile});
-  auto tell = tell_forms(forms->request);
-  if (!tell) return tell.error();
-  forms->tell = std::move(*tell);
+  auto check = form_check(forms->request);
+  if (!check) return check.error();
+  forms->check = std::move(*check);
   return std::shared_ptr<const Forms>(std::move(forms));
 }
 
@@ -52,14 +52,14 @@ FinishedTask finished(const Task& task) {
 
 }  // namespace
 
-Result<TellInSimulator> tell_in_simulator(const Resources& resources, const DataFolders& folders) {
+Result<SimulatorCheck> simulator_check(const Resources& resources, const DataFolders& folders) {
   auto forms = read_forms(resources, folders);
   if (!forms) return forms.error();
-  return TellInSimulator([forms = std::move(*forms), &resources](const Task& task) -> InSimulator {
+  return SimulatorCheck([forms = std::move(*forms), &resources](const Task& task) -> SimulatorSupport {
     const FinishedTask made = finished(task);
-    ToldForms told = forms->tell(made);
-    auto refused = refused_in_simulator(made, told, resources.backend(made.start.simulator).knowledge);
-    return {std::move(told.express), std::move(refused)};
+    FormSupport support = forms->check(made);
+    auto refused = refused_in_simulator(made, support, resources.backend(made.start.simulator).knowledge);
+    return {std::move(support.express), std::move(refused)};
   });
 }
 
@@ -68,7 +68,7 @@ Result<FormsOf> forms_of_tasks(const Resources& resources, const DataFolders& fo
   if (!forms) return forms.error();
   return FormsOf([forms = std::move(*forms)](FinishedTask task) {
     task.start = in_telling_order(task.start);
-    return forms->tell(task).express;
+    return forms->check(task).express;
   });
 }
 

@@ -10,14 +10,14 @@ bool may_be_search(ActionType type) {
          type == ActionType::Close;
 }
 
-ModeRules rules_of_the_told(std::size_t steps) {
+ModeRules rules_with_full_knowledge(std::size_t steps) {
   ModeRules told = rules_of(Mode::M1);
   told.limits.steps = told.limits.failures = static_cast<int>(steps) + 1;
   return told;
 }
 
 void mark_search(ExecutionTree& executions, Demonstration& demonstration) {
-  Rollout here(executions, rules_of_the_told(demonstration.steps.size()));
+  Rollout here(executions, rules_with_full_knowledge(demonstration.steps.size()));
   for (auto step = demonstration.steps.begin(); step != demonstration.steps.end(); ++step) {
     if (!step->tidying && may_be_search(step->action.type)) {
       Rollout without = here;

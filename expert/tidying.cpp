@@ -87,7 +87,7 @@ std::optional<std::vector<Action>> with_steps(ExecutionTree& executions, const M
 class TidyingMarker {
  public:
   TidyingMarker(ExecutionTree& executions, Demonstration& demonstration)
-      : steps_(demonstration.steps), start_(executions, rules_of_the_told(demonstration.steps.size())) {}
+      : steps_(demonstration.steps), start_(executions, rules_with_full_knowledge(demonstration.steps.size())) {}
 
   void mark() {
     std::set<std::pair<ActionType, std::string>> done;

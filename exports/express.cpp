@@ -64,30 +64,30 @@ Result<ExportSummary> write_expressed(const ExportRequest& request, const Result
   return summary_of(*made, request.out);
 }
 
-Result<TellForms> tell_forms(const ExportRequest& request) {
+Result<FormCheck> form_check(const ExportRequest& request) {
   std::array<ExpressTask, kSimulatorForms.size()> forms;
   for (std::size_t i = 0; i < forms.size(); ++i) {
     auto form = express_form(kSimulatorForms[i].name, request);
     if (!form) return form.error();
     forms[i] = std::move(*form);
   }
-  return TellForms([forms = std::move(forms)](const FinishedTask& task) {
-    ToldForms told;
+  return FormCheck([forms = std::move(forms)](const FinishedTask& task) {
+    FormSupport support;
     for (std::size_t i = forms.size(); i-- > 0;) {  // what the strictest expresses, the others do
       if (kSimulatorForms[i].simulator != task.start.simulator) continue;
-      const bool expressed = !told.express.empty();
+      const bool expressed = !support.express.empty();
       auto refused = expressed ? std::string() : refusal_of(forms[i], task);
-      if (refused.empty()) told.express.insert(told.express.begin(), std::string(kSimulatorForms[i].name));
-      if (!refused.empty() && told.refused.empty()) told.refused = std::move(refused);
+      if (refused.empty()) support.express.insert(support.express.begin(), std::string(kSimulatorForms[i].name));
+      if (!refused.empty() && support.refused.empty()) support.refused = std::move(refused);
     }
-    return told;
+    return support;
   });
 }
 
-std::string refused_in_simulator(const FinishedTask& task, const ToldForms& told, const Knowledge& knowledge) {
+std::string refused_in_simulator(const FinishedTask& task, const FormSupport& support, const Knowledge& knowledge) {
   if (const Node* const node = unknown_to_simulator(task, knowledge))
     return node->id + ": the simulator has no model of " + node->category;
-  return told.refused;
+  return support.refused;
 }
 
 }  // namespace unietp

@@ -39,19 +39,19 @@ Result<ExpressTask> express_form(std::string_view form, const ExportRequest& req
 Result<ExportSummary> write_expressed(const ExportRequest& request, const Result<ExpressTask>& express);
 
 /// What the forms of its simulator (scene/simulator_forms.h) say of a task with its demonstration in M1.
-struct ToldForms {
+struct FormSupport {
   std::vector<std::string> express;  // the forms that express it, in their order
   std::string refused;               // why the strictest one does not; "" where it does
 };
-using TellForms = std::function<ToldForms(const FinishedTask&)>;
+using FormCheck = std::function<FormSupport(const FinishedTask&)>;
 /// Asks what writes each form, without writing. The request must outlive the result, which several threads may call.
 /// Errors: those of the tables of the formats.
-Result<TellForms> tell_forms(const ExportRequest& request);
+Result<FormCheck> form_check(const ExportRequest& request);
 
 /// Why a task cannot be done in its simulator itself; "" when it can. Of a task in the profile `native`, each object
 /// that the demonstration handles is one of the simulator's own scene, or the simulator has a model of it; and the
 /// simulator's strictest form expresses the task, so that each state of the goal and each action of the demonstration
 /// is one that the simulator has.
-std::string refused_in_simulator(const FinishedTask& task, const ToldForms& told, const Knowledge& knowledge);
+std::string refused_in_simulator(const FinishedTask& task, const FormSupport& support, const Knowledge& knowledge);
 
 }  // namespace unietp

@@ -85,11 +85,11 @@ void BlockRun::try_plan(const CandidatePlan& plan) {
   auto made = make_task(configuration_, resources_, layouts_, slot, plan, planner_.counts(), &costs);
   StageTimer timer(&costs, Stage::Writing);
   if (auto* task = std::get_if<Task>(&made); task != nullptr && callbacks_.in_simulator) {
-    InSimulator told = callbacks_.in_simulator(*task);
-    task->forms = std::move(told.forms);
-    if (configuration_.native && !told.refused.empty()) {
+    SimulatorSupport support = callbacks_.in_simulator(*task);
+    task->forms = std::move(support.forms);
+    if (configuration_.native && !support.refused.empty()) {
       const auto& specification = task->episode.specification;
-      made = RejectedCandidate{{RejectionReason::GateSimulator, std::move(told.refused)},
+      made = RejectedCandidate{{RejectionReason::GateSimulator, std::move(support.refused)},
                                specification.template_name,
                                specification.simulator,
                                specification.split,

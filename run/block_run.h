@@ -7,10 +7,10 @@
 
 #include "run/blocks.h"
 #include "run/candidate_planner.h"
-#include "run/in_simulator.h"
 #include "run/layout_pool.h"
 #include "run/ledger.h"
 #include "run/selection.h"
+#include "run/simulator_check.h"
 #include "run/stage_costs.h"
 
 namespace unietp {
@@ -19,7 +19,7 @@ namespace unietp {
 struct BlockCallbacks {
   std::function<void(const StageCosts&)> on_costs;  // time spent since the last call
   std::function<void(bool accepted)> on_candidate;  // a candidate is finished
-  TellInSimulator in_simulator;                     // empty: tasks have no forms
+  SimulatorCheck in_simulator;                      // empty: tasks have no forms
 };
 
 /// Fills a block's slots in batches of work: first its homes, then attempt k of all open slots; after each attempt

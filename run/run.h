@@ -13,8 +13,8 @@
 #include "dataset/configuration.h"
 #include "dataset/lines.h"
 #include "resources/resources.h"
-#include "run/in_simulator.h"
 #include "run/shard.h"
+#include "run/simulator_check.h"
 #include "run/stage_costs.h"
 
 namespace unietp {
@@ -38,7 +38,7 @@ struct RunOptions {
   const std::atomic<bool>* stop = nullptr;           // set from outside: finish the current candidates, then return
   std::function<void(const RunProgress&)> progress;  // called with a lock held; may be empty
   StageCosts* costs = nullptr;                       // the run's costs are added to it; may be null
-  TellInSimulator in_simulator;                      // the forms of each task; empty: they have none, native or not
+  SimulatorCheck in_simulator;                       // the forms of each task; empty: they have none, native or not
 };
 
 /// A slot that has no task after its last attempt.
