@@ -22,7 +22,8 @@ struct Layout {
 };
 
 /// Homes of a run: those of Resources::homes, or else each is made when it is first asked for and then shared. A home
-/// depends only on the configuration's source and seed, the simulator and its number. Safe to use from several threads.
+/// depends only on the configuration's source and seed, the simulator and its number. What it is made from must outlive
+/// it. Safe to use from several threads.
 class LayoutPool {
  public:
   /// The homes of a block.

@@ -61,7 +61,8 @@ Worth worth_of(const RunConfiguration& configuration) {
 }
 
 TEST(CandidatePlanner, PrefersWhatTheHomeHasHoweverOftenItsRoomsWereUsed) {
-  LayoutPool layouts(small_homes(1), committed(), 1);
+  const auto homes = small_homes(1);
+  LayoutPool layouts(homes, committed(), 1);
   const auto& layout = layouts.layout(Simulator::Ai2thor, 0);
   ASSERT_TRUE(layout);
   const auto source = std::find_if(committed().templates.begin(), committed().templates.end(),
