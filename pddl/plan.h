@@ -15,8 +15,8 @@ namespace unietp::pddl {
 /// the problem has monitors. Actions of the body and the camera are left out, a go_to is inserted where a target was
 /// already within reach in physics, and what only physics needs is left out: without any one of its steps the plan
 /// fails or does not reach the goal. `pieces`: (id in physics, id of its whole) in the order in which they were cut.
-/// Errors: Unsatisfiable, with the step, when its
-/// preconditions do not hold, or when the goal does not hold after the last step (a held object is in no room here).
+/// Errors: Unsatisfiable, with the step, when its preconditions do not hold, or when the goal does not hold after the
+/// last step (a held object is in no room here).
 Result<std::vector<std::string>> plan_for(const symbolic::Setting& setting, const symbolic::World& start,
                                           const symbolic::Goal& goal, const Problem& problem,
                                           const std::vector<Action>& actions,
