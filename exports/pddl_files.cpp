@@ -36,7 +36,7 @@ PlannedActions planned_actions(const DemonstrationRecord& demonstration) {
   PlannedActions all;
   std::set<std::string> known;
   for (const auto& step : demonstration.steps) {
-    if (!step.success || step.tidying) continue;  // a plan needs each step
+    if (!step.success) continue;
     const auto action = action_of(step.command);
     all.handled.insert(all.handled.end(), action.args.begin(), action.args.end());
     all.actions.push_back(action);
