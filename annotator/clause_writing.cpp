@@ -273,6 +273,10 @@ std::optional<std::string> ClauseWriter::worded(const Clause& clause) {
       if (naming_.everyday() && !places.empty() &&
           (naming_.is_carried(places[0].noun) || naming_.heats_food(places[0].noun)))
         std::erase_if(patterns, [](const std::string& pattern) { return pattern.starts_with("move {s} "); });
+      // What is kept in a cabinet is put away there; food goes into a fridge.
+      if (naming_.everyday() && clause.complements[0].predicate == P::Inside && !clause.complements[0].negated &&
+          !places.empty() && naming_.puts_away(places[0].noun) && naming_.is_carried(clause.subjects[0].noun))
+        patterns.insert(patterns.begin() + 1, "put {s} away in {o}");
       // "Grab something to wear": what is named by its use is looked for.
       if (naming_.everyday() && naming_.names_by_use(clause.subjects[0].noun) &&
           clause.complements[0].predicate == P::Held)
@@ -421,8 +425,8 @@ std::optional<std::string> ClauseWriter::cut_first(const Clause& clause) {
   return std::nullopt;
 }
 
-/// Takes " except for the red one" off the end of what is acted on: it is said last, "put all the mugs on the desk
-/// except for the red one". "But the red one" stays beside the thing.
+/// Takes " except for the red one" off the end of what is acted on: where nothing follows it is said last, "put all the
+/// mugs on the desk except for the red one". "But the red one" stays beside the thing.
 std::string ClauseWriter::taken_exception(const Clause& clause, std::string& subject) {
   const auto at = subject.rfind(" except ");
   if (clause.subjects.size() != 1 || !clause.subjects[0].except || at == std::string::npos) return {};
@@ -444,10 +448,11 @@ std::optional<std::string> ClauseWriter::filled(const std::string& pattern, cons
   auto subjects = subjects_of(clause, {.bare = bare, .sought = sought, .moved = moved});
   if (!subjects) return std::nullopt;
   if (const auto there = there_too(clause.complements[0])) return "put " + subjects->text + " " + *there;
-  const std::string exception = naming_.everyday() ? taken_exception(clause, subjects->text) : std::string();
+  const bool ends = naming_.everyday() && naming_.says_one_thing();
+  const std::string exception = ends ? taken_exception(clause, subjects->text) : std::string();
   // "Wash a mug and hold it": it is in the hand already.
   const bool held = naming_.everyday() && subjects->text == "it" && clause.complements[0].predicate == Predicate::Held;
-  std::string text = held ? "hold on to {s}" : with_particle_order(pattern, subjects->text, clause.complements[0]);
+  std::string text = held ? "hold {s}" : with_particle_order(pattern, subjects->text, clause.complements[0]);
   text = replace_all(text, "{m}", symbol_words(clause.complements[0].symbol));
   if (!clause.complements[0].object.empty()) {
     Place place = place_of(clause);

@@ -99,10 +99,12 @@ Clause ClauseReader::moved() {
   if (!words_.both_again(clause.subjects)) clause.subjects = words_.phrases(clause.any_subject);
   words_.set_results(false);
   if (!clause.subjects.empty()) words_.set_moved(clause.subjects[0].noun);
+  const bool away = words_.accept("away");  // "put the plate away in the cabinet"
   if (!words_.comes("either") && !words_.complement_comes()) words_.fail("expected a place, such as 'on a table'");
   placed(clause);
   for (const Complement& complement : clause.complements)
-    if (complement.object.empty() || complement.negated) words_.fail("expected a place before this");
+    if (complement.object.empty() || complement.negated || (away && complement.predicate != P::Inside))
+      words_.fail("expected a place before this");
   // "Each of the mugs in a cabinet", "both mugs in a cabinet or on a shelf": not all in the same one.
   if ((each || (both && clause.any_complement)) && !words_.failed())
     for (Complement& complement : clause.complements) {

@@ -8,7 +8,8 @@ namespace {
 
 /// The rows of a table by name. `cells_of` reads what else stands in a row.
 template <class Row, class CellsOf>
-std::map<std::string, Row, std::less<>> rows_by_name(const std::filesystem::path& path, const CellsOf& cells_of,
+std::map<std::string, Row, std::less<>> rows_by_name(const std::filesystem::path& path,
+                                                     const std::vector<std::string>& columns, const CellsOf& cells_of,
                                                      std::vector<Error>& errors) {
   std::map<std::string, Row, std::less<>> rows;
   const auto text = read_file(path);
@@ -16,7 +17,7 @@ std::map<std::string, Row, std::less<>> rows_by_name(const std::filesystem::path
     errors.push_back(text.error());
     return rows;
   }
-  RowReader row(path.string(), *text, {"name", "us", "gb", "source"}, errors);
+  RowReader row(path.string(), *text, columns, errors);
   for (const auto& cells : row.rows()) {
     row.at(cells);
     const std::string name = row.required("name");
@@ -30,8 +31,9 @@ std::map<std::string, Row, std::less<>> rows_by_name(const std::filesystem::path
 }  // namespace
 
 EverydayNames::EverydayNames(std::map<std::string, Forms, std::less<>> names,
-                             std::map<std::string, Use, std::less<>> rare)
-    : names_(std::move(names)), rare_(std::move(rare)) {}
+                             std::map<std::string, Use, std::less<>> rare,
+                             std::map<std::string, Others, std::less<>> look_alikes)
+    : names_(std::move(names)), rare_(std::move(rare)), look_alikes_(std::move(look_alikes)) {}
 
 std::string_view EverydayNames::of(std::string_view name, English english) const {
   const auto found = names_.find(name);
@@ -45,20 +47,28 @@ bool EverydayNames::is_said(std::string_view synonym, English english) const {
   return english == English::Us ? found->second.us : found->second.gb;
 }
 
+std::span<const std::string> EverydayNames::look_alikes(std::string_view name) const {
+  const auto found = look_alikes_.find(name);
+  return found == look_alikes_.end() ? std::span<const std::string>() : found->second;
+}
+
 EverydayNames read_everyday_names(const std::filesystem::path& folder, std::vector<Error>& errors) {
   auto names = rows_by_name<EverydayNames::Forms>(
-      folder / "everyday_names.csv",
+      folder / "everyday_names.csv", {"name", "us", "gb", "source"},
       [](RowReader& row) {
         return EverydayNames::Forms{row.required("us"), row.required("gb")};
       },
       errors);
   auto rare = rows_by_name<EverydayNames::Use>(
-      folder / "rare_names.csv",
+      folder / "rare_names.csv", {"name", "us", "gb", "source"},
       [](RowReader& row) {
         return EverydayNames::Use{row.flag("us"), row.flag("gb")};
       },
       errors);
-  return {std::move(names), std::move(rare)};
+  auto look_alikes = rows_by_name<EverydayNames::Others>(
+      folder / "look_alikes.csv", {"name", "others", "source"}, [](RowReader& row) { return row.list("others"); },
+      errors);
+  return {std::move(names), std::move(rare), std::move(look_alikes)};
 }
 
 }  // namespace unietp

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,7 +28,10 @@ class EverydayNames {
   };
 
   EverydayNames() = default;
-  EverydayNames(std::map<std::string, Forms, std::less<>> names, std::map<std::string, Use, std::less<>> rare);
+  /// A row of look_alikes.csv: other things that people may call so, too, by what the knowledge base calls them.
+  using Others = std::vector<std::string>;
+  EverydayNames(std::map<std::string, Forms, std::less<>> names, std::map<std::string, Use, std::less<>> rare,
+                std::map<std::string, Others, std::less<>> look_alikes = {});
 
   /// What people call what the knowledge base calls `name`, in singular: "stove", or "cooker" in Britain, for "oven
   /// stove". "" where they call it so, too. Valid as long as this object.
@@ -35,14 +39,19 @@ class EverydayNames {
   /// Whether a text may use a synonym of the knowledge base: false for what only a dictionary, a shop or the other
   /// English says.
   bool is_said(std::string_view synonym, English english) const;
+  /// What a home must not have for the name of a thing to mean this thing: a nightstand is a side table, too. Names of
+  /// the knowledge base; empty for what has no row.
+  std::span<const std::string> look_alikes(std::string_view name) const;
 
  private:
   std::map<std::string, Forms, std::less<>> names_;  // by what the knowledge base says
   std::map<std::string, Use, std::less<>> rare_;     // by synonym
+  std::map<std::string, Others, std::less<>> look_alikes_;
 };
 
-/// Reads everyday_names.csv and rare_names.csv (name,us,gb,source) of a folder (data/english). Errors are appended,
-/// with file, line and column: Io, Parse, Schema; Schema for a name that stands twice.
+/// Reads everyday_names.csv and rare_names.csv (name,us,gb,source) and look_alikes.csv (name,others,source; others
+/// separated by `|`) of a folder (data/english). Errors are appended, with file, line and column: Io, Parse, Schema;
+/// Schema for a name that stands twice.
 EverydayNames read_everyday_names(const std::filesystem::path& folder, std::vector<Error>& errors);
 
 }  // namespace unietp

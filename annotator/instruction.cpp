@@ -95,6 +95,29 @@ class TextChecker {
   const std::vector<std::string>& opened() const { return opened_; }
   const Trace& start() const { return start_; }
 
+  /// Whether the name of a thing of the goal may be heard as another thing of the home: "the side table" as the
+  /// nightstand.
+  bool may_mean_another(const std::string& text) const {
+    if (home_ == nullptr) return false;
+    const auto tokens = tokens_of(text);
+    const auto own = categories_of(specification_.goal);
+    const auto is_called = [&](const std::string& category, std::string_view name) {
+      const Category* found = knowledge_.find(category);
+      return found != nullptr && found->display == name;
+    };
+    return std::any_of(own.begin(), own.end(), [&](const std::string& category) {
+      const NounTable::Name* name = lexicon_.display(category);
+      const Category* found = knowledge_.find(category);
+      if (name == nullptr || found == nullptr || !(says(tokens, name->singular) || says(tokens, name->plural)))
+        return false;
+      const auto others = lexicon_.everyday()->look_alikes(found->display);
+      return std::any_of(there_.begin(), there_.end(), [&](const std::string& other) {
+        return std::find(own.begin(), own.end(), other) == own.end() &&
+               std::any_of(others.begin(), others.end(), [&](const auto& look) { return is_called(other, look); });
+      });
+    });
+  }
+
   bool reads_back(const std::string& text) const {
     const auto read = readings(text);
     return read && !all_strained(*read) && all_match_goal(*read) && form_faults(text, specification_).empty();
@@ -376,6 +399,7 @@ class Writer {
     if (is_everyday()) text = with_one_of(with_room_tables(with_tops(std::move(text), nouns_)), nouns_);
     // Nobody is asked to close "the place where we wash our hands".
     if (text.find(" the place where ") != text.npos || text.find(" the spot where ") != text.npos) return std::nullopt;
+    if (is_everyday() && judge_.may_mean_another(text)) return std::nullopt;
     if (!judge_.reads_back(text) || !style_fault(text, style, specification_.goal, options_.around, nouns_).empty())
       return std::nullopt;
     return Instruction{text,  "grammar",

@@ -96,6 +96,8 @@ class Naming {
   bool heats_food(const Domain& noun) const;  // a toaster, an oven
   /// Whether people put a lid on it rather than close it.
   bool has_lid(const Domain& noun) const;
+  /// Whether people put things away in it: a cabinet, a drawer.
+  bool puts_away(const Domain& noun) const;
   /// Whether it is sprinkled on food: salt, and what else the home's base has a shaker of.
   bool comes_from_a_shaker(const std::string& substance) const;
   /// The bare noun of one thing.

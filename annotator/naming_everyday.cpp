@@ -39,6 +39,14 @@ bool Naming::heats_food(const Domain& noun) const {
                              name->singular.ends_with("microwave") || name->singular.ends_with("stove"));
 }
 
+bool Naming::puts_away(const Domain& noun) const {
+  const NounTable::Name* name = noun.members.size() == 1 ? lexicon_.display(noun.members[0].category) : nullptr;
+  return name != nullptr && !name->movable &&
+         (name->singular.ends_with("cabinet") || name->singular.ends_with("cupboard") ||
+          name->singular.ends_with("drawer") || name->singular.ends_with("closet") ||
+          name->singular.ends_with("wardrobe") || name->singular.ends_with("dresser"));
+}
+
 bool Naming::comes_from_a_shaker(const std::string& substance) const {
   return substance == "black_pepper" || lexicon_.display(substance + "_shaker") != nullptr;
 }
@@ -109,7 +117,8 @@ Words Naming::first_everyday(const NounPhrase& said, const Noun& noun, Place pla
                          said.noun.kind == Domain::Kind::Categories && said.there < 2 &&
                          !lexicon_.is_room_type(said.noun.members[0].category) && mentions_of(said.noun) == 1;
   // Within a description "the desk" may be read otherwise than it is meant.
-  const bool the = (alone || describes) && (!place.inside_description || wording_.pronouns == 1 || rng_.chance(0.5));
+  const bool the = (alone || describes) &&
+                   (!place.inside_description || is_alone(said.noun) || wording_.pronouns == 1 || rng_.chance(0.5));
   // "A kitchen cabinet", "a lower cabinet in the kitchen", where it has several.
   const bool one_of_a_room =
       said.there > 1 && !is_carried(said.noun) && said.modifiers.size() == 1 && says_its_room(said.modifiers[0]);

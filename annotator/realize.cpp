@@ -382,7 +382,8 @@ std::optional<std::string> fact_sentence(const NounPhrase& thing, Naming& naming
   for (const Complement& modifier : thing.modifiers)
     if (!modifier.object.empty()) places.push_back(modifier);
   std::erase_if(body.modifiers, [](const Complement& modifier) { return !modifier.object.empty(); });
-  if (places.size() != 1) return std::nullopt;
+  // Of furniture that stands somewhere nobody is told that it is there.
+  if (places.size() != 1 || !naming.is_carried(thing.noun)) return std::nullopt;
   const auto named = naming.phrase(body, {.wanted = true});
   if (!named || named->plural) return std::nullopt;
   const bool unique = places[0].object[0].there < 2;

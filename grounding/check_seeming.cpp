@@ -23,7 +23,9 @@ class SeemingRelations {
     if (binds) {
       // What a description tells apart are all things of the category.
       scope_.emplace_back(formula.variable, bare(formula.domain));
+      describing_ = true;
       for (const Formula& where : formula.domain.where) read(where);
+      describing_ = false;
       scope_.back().second = closed(formula.domain, formula.variable);
     }
     for (const Formula& child : formula.children) read(child);
@@ -53,7 +55,9 @@ class SeemingRelations {
   }
 
   void compare(const Formula& fact) {
-    if (found_ || (fact.predicate != Predicate::On && fact.predicate != Predicate::Inside)) return;
+    if (found_) return;
+    if (fact.predicate == Predicate::Clean && !describing_) return tell_clean(members(fact.terms[0]), {});
+    if (fact.predicate != Predicate::On && fact.predicate != Predicate::Inside) return;
     const Facts& now = trace_.states.front();
     const auto things = members(fact.terms[0]), places = members(fact.terms[1]);
     for (const EntityIndex thing : things)
@@ -66,6 +70,33 @@ class SeemingRelations {
                   {}};
         return;
       }
+    if (!describing_) tell_clean(things, places);
+  }
+
+  /// Finds a clean thing beside dirty ones; with `places`, where the things are not yet, if they are washed there.
+  void tell_clean(const std::vector<EntityIndex>& things, const std::vector<EntityIndex>& places) {
+    const Facts& now = trace_.states.front();
+    const auto is_there = [&](EntityIndex thing) {
+      return std::any_of(places.begin(), places.end(), [&](EntityIndex place) {
+        return now.holds(Predicate::Inside, thing, place) || now.holds(Predicate::On, thing, place);
+      });
+    };
+    const auto is_dirty = [&](EntityIndex thing) { return now.holds(Predicate::Dirty, thing) && !is_there(thing); };
+    const auto is_clean = [&](EntityIndex thing) { return now.holds(Predicate::Clean, thing) && !is_there(thing); };
+    const auto clean = std::find_if(things.begin(), things.end(), is_clean);
+    if (clean == things.end() || std::none_of(things.begin(), things.end(), is_dirty)) return;
+    if (!places.empty() &&
+        std::none_of(places.begin(), places.end(), [&](EntityIndex place) { return washes(place, *clean); }))
+      return;
+    found_ = {RejectionReason::PartHolds,
+              trace_.entities[*clean].id + " is clean, and others that seem to be meant are dirty",
+              {}};
+  }
+
+  bool washes(EntityIndex place, EntityIndex thing) const {
+    const auto effects = knowledge_.effects_of(trace_.entities[place].category, Treatment::Washes);
+    return std::any_of(effects.begin(), effects.end(),
+                       [&](const Effect* effect) { return effect->target == trace_.entities[thing].category; });
   }
 
   bool is_movable(EntityIndex thing) const {
@@ -87,6 +118,7 @@ class SeemingRelations {
   const Trace& trace_;
   const Knowledge& knowledge_;
   std::vector<std::pair<std::string, Domain>> scope_;  // bound variables, innermost last
+  bool describing_ = false;                            // within the description of what is bound
   std::optional<GroundingFailure> found_;
 };
 

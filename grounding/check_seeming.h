@@ -12,7 +12,11 @@ namespace unietp {
 /// Whether what a goal asks for, forbids or tells things apart by would seem to be so at the start though it is not:
 /// bread in a bowl on the counter is on the counter to who asks to put bread there. Things that are on or in something
 /// movable that is at the place are at the place to people, and to the goal they are not. The first such pair of a
-/// thing and a place that the goal relates by `on` or `inside`, or nullopt. `trace` has at least one state.
+/// thing and a place that the goal relates by `on` or `inside`, or nullopt.
+///
+/// The same of things that are to be washed, or put where such things are washed, when some are dirty and others clean:
+/// who asks to put "a plate" in the dishwasher, or to wash "every plate", means the dirty ones, and the goal means any,
+/// or all. `trace` has at least one state.
 std::optional<GroundingFailure> check_seeming(const Formula& goal, const Trace& trace, const Knowledge& knowledge);
 
 }  // namespace unietp

@@ -366,8 +366,9 @@ class Decoys {
     const auto is_free_there = is_free(model.room, wanted);
     std::optional<std::string> id;
     if (is_kept_at(category, model.below))
-      id = editor_.add_object(category.name,
-                              [&](const Node& host) { return host.category == model.below && is_free_there(host); });
+      id = editor_.add_object(category.name, [&](const Node& host) {
+        return host.category == model.below && may_hold(host, model.room, wanted);
+      });
     if (!id) id = editor_.add_object(category.name, is_free_there);
     if (!id) return id;
     if (!is_sensible(*id)) {
@@ -406,11 +407,16 @@ class Decoys {
   }
 
   /// Whether a receptacle is in the room, and not where this task, or one for the thing itself, puts things.
+  bool may_hold(const Node& host, const Room* room, const std::string& wanted) {
+    return host.category != wanted && !places_.contains(host.category) &&
+           (room == nullptr || workspace().room_of(*workspace().places().find(host.id)) == room);
+  }
+  /// The same, and no food is heated there: nobody leaves a slice of tomato in the toaster.
   std::function<bool(const Node&)> is_free(const Room* room, std::string wanted) {
     return [this, room, wanted = std::move(wanted)](const Node& host) {
-      const auto place = workspace().places().find(host.id);
-      return host.category != wanted && !places_.contains(host.category) &&
-             (room == nullptr || workspace().room_of(*place) == room);
+      const auto* household = workspace().household();
+      const bool heats = household != nullptr && household->passes(host.category) && !household->washes(host.category);
+      return may_hold(host, room, wanted) && !heats;
     };
   }
 

@@ -70,11 +70,13 @@ TEST(EverydayNames, WithoutTablesThingsAreCalledAsTheKnowledgeBaseCallsThem) {
   EXPECT_EQ(NounTable(knowledge, {}).display("GarbageCan")->singular, knowledge.find("GarbageCan")->display);
 }
 
-/// The errors of two tables, without the folder.
-std::vector<std::string> errors_of(const std::string& names, const std::string& rare) {
+/// The errors of three tables, without the folder.
+std::vector<std::string> errors_of(const std::string& names, const std::string& rare,
+                                   const std::string& look_alikes = "name,others,source\n") {
   const ScratchFolder folder;
   EXPECT_TRUE(write_file(folder.at("everyday_names.csv"), names));
   EXPECT_TRUE(write_file(folder.at("rare_names.csv"), rare));
+  EXPECT_TRUE(write_file(folder.at("look_alikes.csv"), look_alikes));
   std::vector<Error> errors;
   (void)read_everyday_names(folder.path(), errors);
   std::vector<std::string> texts;
@@ -91,6 +93,14 @@ TEST(EverydayNames, ReportsBadRowsWithFileLineAndColumn) {
                           StartsWith("everyday_names.csv:4:6: "), StartsWith("rare_names.csv:2:6: ")));
   EXPECT_THAT(errors_of(header + "mug,cup\n", ""),
               ElementsAre(StartsWith("everyday_names.csv:2:"), StartsWith("rare_names.csv:")));
+}
+
+TEST(EverydayNames, HaveLookAlikes) {
+  const std::string header = "name,us,gb,source\n";
+  EXPECT_THAT(errors_of(header, header, "name,others,source\nstand,,curated\nbox,carton,\nbox,carton,curated\n"),
+              ElementsAre(StartsWith("look_alikes.csv:3:12: ")));
+  EXPECT_THAT(committed_names()->look_alikes("stand"), ::testing::Contains("nightstand"));
+  EXPECT_THAT(committed_names()->look_alikes("mug"), IsEmpty());
 }
 
 TEST(EverydayNames, OfBritonsAreCountedAsTheyCountThem) {
