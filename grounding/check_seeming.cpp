@@ -57,6 +57,7 @@ class SeemingRelations {
   void compare(const Formula& fact) {
     if (found_) return;
     if (fact.predicate == Predicate::Clean && !describing_) return tell_clean(members(fact.terms[0]), {});
+    if (fact.predicate == Predicate::NextTo && !describing_) return find_in_the_wash(members(fact.terms[1]));
     if (fact.predicate != Predicate::On && fact.predicate != Predicate::Inside) return;
     const Facts& now = trace_.states.front();
     const auto things = members(fact.terms[0]), places = members(fact.terms[1]);
@@ -91,6 +92,16 @@ class SeemingRelations {
     found_ = {RejectionReason::PartHolds,
               trace_.entities[*clean].id + " is clean, and others that seem to be meant are dirty",
               {}};
+  }
+
+  /// Finds a thing that waits where such things are washed: nothing is put beside it there.
+  void find_in_the_wash(const std::vector<EntityIndex>& things) {
+    for (const EntityIndex thing : things) {
+      const auto waits = [&](EntityIndex place) { return washes(place, thing); };
+      if (!trace_.states.front().any_related(Predicate::Inside, thing, waits)) continue;
+      found_ = {RejectionReason::PartHolds, trace_.entities[thing].id + " is where it is washed", {}};
+      return;
+    }
   }
 
   bool washes(EntityIndex place, EntityIndex thing) const {

@@ -4,6 +4,7 @@
 
 #include "annotator/meaning.h"
 #include "annotator/noun_table.h"
+#include "core/text.h"
 #include "small_knowledge.h"
 #include "tests/support/committed_knowledge.h"
 #include "tests/support/committed_names.h"
@@ -90,6 +91,45 @@ TEST(NaturalWords, BringToARoomWhatIsSought) {
   }
   EXPECT_THAT(texts, Contains(HasSubstr("et something to drink from and bring it to a kitchen")));
   EXPECT_THAT(texts, Each(Not(HasSubstr("put it in"))));
+}
+
+/// Texts of a goal of AI2-THOR as people ask for it, in a home that has one thing of each category.
+std::vector<std::string> everyday_texts(const std::string& goal, const std::vector<std::string>& categories) {
+  static const NounTable nouns(committed_knowledge(Simulator::Ai2thor), committed_names());
+  Scene home;
+  for (const std::string& category : categories) {
+    Node node;
+    node.id = lower(category) + "_1";
+    node.category = category;
+    home.nodes.push_back(node);
+  }
+  std::vector<std::string> texts;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const auto written = write_instruction(asking(goal, "direct"), committed_knowledge(Simulator::Ai2thor), nouns,
+                                           {Phrasings::Everyday, {}, &home}, Rng(seed));
+    if (written) texts.push_back(written->text);
+  }
+  return texts;
+}
+
+TEST(NaturalWords, PutThingsAwayWhereThingsAreKept) {
+  const auto texts = everyday_texts("(exists (?a - Plate) (exists (?b - Cabinet) (at-end (inside ?a ?b))))",
+                                    {"Plate", "Cabinet", "Fridge"});
+  EXPECT_THAT(texts, Contains("Put the plate away in the cabinet."));
+  EXPECT_THAT(texts, Contains("Put the plate in the cabinet."));
+  EXPECT_THAT(everyday_texts("(exists (?a - Plate) (exists (?b - Fridge) (at-end (inside ?a ?b))))",
+                             {"Plate", "Cabinet", "Fridge"}),
+              Each(Not(HasSubstr("away"))));
+  const auto task = asking("(exists (?a - Plate) (exists (?b - DiningTable) (at-end (on ?a ?b))))");
+  const Knowledge& knowledge = committed_knowledge(Simulator::Ai2thor);
+  EXPECT_TRUE(check_instruction("Put a plate on a dining table.", task, knowledge).empty());
+  EXPECT_FALSE(check_instruction("Put a plate away on a dining table.", task, knowledge).empty());
+}
+
+TEST(NaturalWords, NameNothingThatAnotherThingOfTheHomeMayBeCalled) {
+  const std::string goal = "(exists (?a - Plate) (exists (?b - Drawer) (at-end (inside ?a ?b))))";
+  EXPECT_THAT(everyday_texts(goal, {"Plate", "Drawer"}), Contains(HasSubstr("the drawer")));
+  EXPECT_THAT(everyday_texts(goal, {"Plate", "Drawer", "Dresser"}), ::testing::IsEmpty());
 }
 
 TEST(NaturalWords, SayLastWhatAThingIsNeededFor) {

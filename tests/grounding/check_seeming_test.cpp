@@ -18,15 +18,21 @@ struct Fact {
   std::string place;
 };
 
-/// An apple, two bowls, a counter, a table and a fridge, of which the facts hold.
-Trace home_with(const std::vector<Fact>& facts) {
+/// What is dirty and what is clean.
+struct Dirt {
+  std::vector<std::string> dirty, clean;
+};
+
+/// An apple, two bowls, a counter, a table, a fridge and a sink, of which the facts hold.
+Trace home_with(const std::vector<Fact>& facts, const Dirt& dirt = {}) {
   Trace trace;
-  const std::array<std::array<std::string, 2>, 6> objects{{{"apple", "Apple"},
+  const std::array<std::array<std::string, 2>, 7> objects{{{"apple", "Apple"},
                                                            {"bowl_1", "Bowl"},
                                                            {"bowl_2", "Bowl"},
                                                            {"counter", "CounterTop"},
                                                            {"table", "DiningTable"},
-                                                           {"fridge", "Fridge"}}};
+                                                           {"fridge", "Fridge"},
+                                                           {"sink", "Sink"}}};
   for (const auto& [id, category] : objects) trace.entities.push_back({Entity::Kind::Object, id, category, ""});
   const auto index = [&](const std::string& id) {
     EntityIndex at;
@@ -36,13 +42,15 @@ Trace home_with(const std::vector<Fact>& facts) {
   Facts now;
   for (EntityIndex at; at.index() < trace.entities.size(); ++at) now.set_exists(at);
   for (const Fact& fact : facts) now.set(fact.relation, index(fact.thing), index(fact.place));
+  for (const std::string& id : dirt.dirty) now.set(Predicate::Dirty, index(id));
+  for (const std::string& id : dirt.clean) now.set(Predicate::Clean, index(id));
   trace.states.push_back(std::move(now));
   return trace;
 }
 
-bool seems(const std::string& goal, const std::vector<Fact>& facts) {
+bool seems(const std::string& goal, const std::vector<Fact>& facts, const Dirt& dirt = {}) {
   const auto problem =
-      check_seeming(parsed(goal, FormulaUse::Goal), home_with(facts), committed_knowledge(Simulator::Ai2thor));
+      check_seeming(parsed(goal, FormulaUse::Goal), home_with(facts, dirt), committed_knowledge(Simulator::Ai2thor));
   EXPECT_TRUE(!problem || problem->reason == RejectionReason::PartHolds);
   return problem.has_value();
 }
@@ -69,6 +77,26 @@ TEST(Seeming, IsLookedForInDescriptionsAndProhibitions) {
   EXPECT_TRUE(seems("(exists (?a - (Bowl :where (exists (?p - CounterTop) (on ?a ?p)))) (at-end (clean ?a)))", both));
   EXPECT_TRUE(seems("(at-end (forall (?a - Bowl) (not (exists (?p - CounterTop) (on ?a ?p)))))", both));
   EXPECT_FALSE(seems("(exists (?a - (Bowl :where (clean ?a))) (exists (?b - CounterTop) (at-end (on ?a ?b))))", both));
+}
+
+TEST(Seeming, IsOfCleanThingsAmongDirtyOnesThatAreToBeWashed) {
+  const std::string into_sink = "(exists (?a - Bowl) (exists (?b - Sink) (at-end (inside ?a ?b))))",
+                    wash_all = "(forall (?a - Bowl) (at-end (clean ?a)))";
+  const Dirt mixed{{"bowl_1"}, {"bowl_2"}};
+  EXPECT_TRUE(seems(into_sink, {}, mixed));
+  EXPECT_TRUE(seems(wash_all, {}, mixed));
+  EXPECT_FALSE(seems(into_sink, {{"bowl_2", Inside, "sink"}}, mixed));  // the dirty one is left
+  EXPECT_FALSE(seems(into_sink, {}, {{"bowl_1", "bowl_2"}, {}}));
+  EXPECT_FALSE(seems(wash_all, {}, {{"bowl_1", "bowl_2"}, {}}));
+  EXPECT_FALSE(seems("(exists (?a - Bowl) (exists (?b - DiningTable) (at-end (on ?a ?b))))", {}, mixed));
+  EXPECT_FALSE(
+      seems("(exists (?a - (Bowl :where (dirty ?a))) (exists (?b - Sink) (at-end (inside ?a ?b))))", {}, mixed));
+}
+
+TEST(Seeming, IsNotAskedBesideWhatWaitsInTheSink) {
+  const std::string beside = "(exists (?a - Apple) (exists (?b - Bowl) (at-end (next_to ?a ?b))))";
+  EXPECT_TRUE(seems(beside, {{"bowl_1", Inside, "sink"}}));
+  EXPECT_FALSE(seems(beside, {{"bowl_1", Inside, "fridge"}}));
 }
 
 TEST(Seeming, EndsWhereContactsGoInACircle) {
