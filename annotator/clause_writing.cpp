@@ -448,8 +448,8 @@ std::optional<std::string> ClauseWriter::filled(const std::string& pattern, cons
   auto subjects = subjects_of(clause, {.bare = bare, .sought = sought, .moved = moved});
   if (!subjects) return std::nullopt;
   if (const auto there = there_too(clause.complements[0])) return "put " + subjects->text + " " + *there;
-  const bool ends = naming_.everyday() && naming_.says_one_thing();
-  const std::string exception = ends ? taken_exception(clause, subjects->text) : std::string();
+  std::string exception =
+      naming_.everyday() && naming_.says_one_thing() ? taken_exception(clause, subjects->text) : std::string();
   // "Wash a mug and hold it": it is in the hand already.
   const bool held = naming_.everyday() && subjects->text == "it" && clause.complements[0].predicate == Predicate::Held;
   std::string text = held ? "hold {s}" : with_particle_order(pattern, subjects->text, clause.complements[0]);
@@ -462,6 +462,8 @@ std::optional<std::string> ClauseWriter::filled(const std::string& pattern, cons
     const bool plain = naming_.everyday() && clause.complements[0].object[0].modifiers.empty();
     if (plain || object->text == "it") text = replace_all(text, "the floor of {o}", floor_of(object->text, false));
     text = replace_all(text, "{o}", object->text);
+    // "On one of the counters except for the white one" would be of the counters.
+    if (!object->text.starts_with("the ")) subjects->text += std::exchange(exception, "");
   }
   if (text.find(" the same ") != std::string::npos)  // not "on the same counter except for the white one"
     return replace_all(text, "{s}", subjects->text + exception);

@@ -397,7 +397,8 @@ class Writer {
     if (plain && text.find(" it", where) != text.npos) return std::nullopt;
     if (!sounds_right(text) || !ends_with_needs(text, nouns_)) return std::nullopt;
     if (is_everyday()) text = with_one_of(with_room_tables(with_tops(std::move(text), nouns_)), nouns_);
-    // Nobody is asked to close "the place where we wash our hands".
+    if (is_everyday() && text.starts_with("Choose the ")) return std::nullopt;
+    // Nobody closes "the place where we wash our hands".
     if (text.find(" the place where ") != text.npos || text.find(" the spot where ") != text.npos) return std::nullopt;
     if (is_everyday() && judge_.may_mean_another(text)) return std::nullopt;
     if (!judge_.reads_back(text) || !style_fault(text, style, specification_.goal, options_.around, nouns_).empty())

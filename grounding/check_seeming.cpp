@@ -28,7 +28,10 @@ class SeemingRelations {
       describing_ = false;
       scope_.back().second = closed(formula.domain, formula.variable);
     }
+    const bool denies = formula.op == Op::Count && formula.number == 0 && formula.comparison == Comparison::Equal;
+    denying_ += denies ? 1 : 0;
     for (const Formula& child : formula.children) read(child);
+    denying_ -= denies ? 1 : 0;
     if (binds) scope_.pop_back();
   }
 
@@ -71,7 +74,20 @@ class SeemingRelations {
                   {}};
         return;
       }
-    if (!describing_) tell_clean(things, places);
+    if (describing_) return;
+    denying_ > 0 ? find_taken_dirty(things, places) : tell_clean(things, places);
+  }
+
+  /// Finds a dirty thing that is to be taken out of where such things are washed.
+  void find_taken_dirty(const std::vector<EntityIndex>& things, const std::vector<EntityIndex>& places) {
+    const Facts& now = trace_.states.front();
+    for (const EntityIndex thing : things)
+      for (const EntityIndex place : places) {
+        if (!now.holds(Predicate::Dirty, thing) || !now.holds(Predicate::Inside, thing, place) || !washes(place, thing))
+          continue;
+        found_ = {RejectionReason::PartHolds, trace_.entities[thing].id + " is dirty and waits to be washed", {}};
+        return;
+      }
   }
 
   /// Finds a clean thing beside dirty ones; with `places`, where the things are not yet, if they are washed there.
@@ -130,6 +146,7 @@ class SeemingRelations {
   const Knowledge& knowledge_;
   std::vector<std::pair<std::string, Domain>> scope_;  // bound variables, innermost last
   bool describing_ = false;                            // within the description of what is bound
+  int denying_ = 0;                                    // counts of zero around
   std::optional<GroundingFailure> found_;
 };
 

@@ -16,7 +16,8 @@ namespace unietp {
 ///
 /// The same of things that are to be washed, or put where such things are washed, when some are dirty and others clean:
 /// who asks to put "a plate" in the dishwasher, or to wash "every plate", means the dirty ones, and the goal means any,
-/// or all. And of what is to be put next to a thing in the sink. `trace` has at least one state.
+/// or all. And of what is to be put next to a thing in the sink, or of dirty things that are to be taken out of it.
+/// `trace` has at least one state.
 std::optional<GroundingFailure> check_seeming(const Formula& goal, const Trace& trace, const Knowledge& knowledge);
 
 }  // namespace unietp

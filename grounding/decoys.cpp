@@ -44,11 +44,19 @@ bool may_be_common(const State& state) {
   return std::find(kNever.begin(), kNever.end(), state.predicate) == kNever.end();
 }
 
-/// A thing that a start added: its room, nullptr for any, the category of what it is on or in, and its states.
+/// A thing that a start added: its room, nullptr for any, the category of what it is on or in, its states, and how odd
+/// it is there.
 struct Added {
   const Room* room = nullptr;
   std::string below = {};
   StateSet states = {};
+  Oddness oddness = Oddness::None;
+};
+
+/// A thing of the home that a start moved: its room now, nullptr for none, and how odd it is there.
+struct Moved {
+  const Room* room = nullptr;
+  Oddness oddness = Oddness::None;
 };
 
 /// A state that the start gave a thing of the home, and all that the thing is in since.
@@ -84,7 +92,7 @@ class Decoys {
       } else if (number > 1 && is_movable(category)) {  // others come to be as many
         add_for(*knowledge().find(category), number - 1, {Added{}});
       }
-      for (const Room* room : rooms_of_moved(category)) move_into(room, category);
+      for (const Moved& moved : moved_of(category)) move_into(moved, category);
       for (const Given& given : states_given(category)) give_to_others(given);
     }
     return static_cast<int>(added_ + moved_ + restated_);
@@ -108,7 +116,7 @@ class Decoys {
     for (const std::size_t place : workspace().places().of(category)) {
       const Node& node = workspace().scene().nodes[place];
       if (node.movable && !home_.places.find(node.id))
-        added.push_back({workspace().room_of(place), category_below(node), node.states});
+        added.push_back({workspace().room_of(place), category_below(node), node.states, oddness_of(workspace(), node)});
     }
     return added;
   }
@@ -126,16 +134,16 @@ class Decoys {
     return {};
   }
 
-  /// Of the movable things of a category that are elsewhere in the home: the room of each.
-  std::vector<const Room*> rooms_of_moved(const std::string& category) {
-    std::vector<const Room*> rooms;
+  /// The movable things of a category that are elsewhere in the home.
+  std::vector<Moved> moved_of(const std::string& category) {
+    std::vector<Moved> moved;
     for (const std::size_t place : workspace().places().of(category)) {
       const Node& node = workspace().scene().nodes[place];
       const auto before = home_.places.find(node.id);
       if (node.movable && before && home_.scene.nodes[*before].pose.position != node.pose.position)
-        rooms.push_back(workspace().room_of(place));
+        moved.push_back({workspace().room_of(place), oddness_of(workspace(), node)});
     }
-    return rooms;
+    return moved;
   }
 
   /// The states that movable things of a category are in and are not in the home, once for each thing.
@@ -235,7 +243,8 @@ class Decoys {
   /// there or not as they have what was asked for there or not, of these such as are kept there about as often. Where
   /// homes do not have it there, and too few others find a place in the room, more go to other rooms where homes do not
   /// have them.
-  void move_into(const Room* room, const std::string& asked) {
+  void move_into(const Moved& model, const std::string& asked) {
+    const Room* room = model.room;
     const auto suits = [&](const std::string& category) {
       const auto* household = workspace().household();
       return household == nullptr || room == nullptr ? 1 : household->in_room(category, room->type);
@@ -256,34 +265,35 @@ class Decoys {
     for (const auto& [unlike, id] : ids) {
       if (left == 0 || tries-- == 0 || moved_ == kMostMoved) break;
       const bool strays_elsewhere = is_stray && unlike.first;
-      if (!(strays_elsewhere ? move_astray(id) : move_into(id, room))) continue;
+      if (!(strays_elsewhere ? move_astray(id, model.oddness) : move_into(id, model))) continue;
       ++moved_;
       --left;
     }
   }
 
-  bool move_into(const std::string& id, const Room* room) {
-    return move(id, [this, room](const Node& host) {
+  bool move_into(const std::string& id, const Moved& model) {
+    return move(id, model.oddness, [this, room = model.room](const Node& host) {
       return room == nullptr || workspace().room_of(*workspace().places().find(host.id)) == room;
     });
   }
 
   /// Into a room where homes do not have such things.
-  bool move_astray(const std::string& id) {
+  bool move_astray(const std::string& id, Oddness oddness) {
     const std::string category = home_.scene.nodes[*home_.places.find(id)].category;
-    return move(id, [this, category](const Node& host) {
+    return move(id, oddness, [this, category](const Node& host) {
       const Room* room = workspace().room_of(*workspace().places().find(host.id));
       return room != nullptr && !is_found_in(category, room) && is_kept_in(*knowledge().find(category), room);
     });
   }
 
-  bool move(const std::string& id, const std::function<bool(const Node&)>& accept) {
+  bool move(const std::string& id, Oddness oddness, const std::function<bool(const Node&)>& accept) {
     const std::size_t place = *workspace().places().find(id);
     if (!workspace().carried_by(place).empty()) return false;
     const Node before = workspace().scene().nodes[place];
-    const auto is_free_there = is_free(nullptr, draw_goal_place(*knowledge().find(before.category)));
+    const Category& category = *knowledge().find(before.category);
+    const auto is_free_there = is_free(category, {.oddness = oddness}, draw_goal_place(category));
     if (!editor_.relocate(id, [&](const Node& host) { return accept(host) && is_free_there(host); })) return false;
-    if (is_sensible(id)) return true;
+    if (is_sensible(id, oddness)) return true;
     editor_.replace(before);
     editor_.refresh();
     return false;
@@ -363,19 +373,20 @@ class Decoys {
 
   /// On or in the same kind of furniture where there is a place for it, and in the same states as far as it can be.
   std::optional<std::string> add_like(const Category& category, const Added& model, const std::string& wanted) {
-    const auto is_free_there = is_free(model.room, wanted);
+    const auto is_free_there = is_free(category, model, wanted);
     std::optional<std::string> id;
     if (is_kept_at(category, model.below))
       id = editor_.add_object(category.name, [&](const Node& host) {
-        return host.category == model.below && may_hold(host, model.room, wanted);
+        return host.category == model.below && may_hold(host, category, model, wanted);
       });
     if (!id) id = editor_.add_object(category.name, is_free_there);
     if (!id) return id;
-    if (!is_sensible(*id)) {
+    if (!is_sensible(*id, model.oddness)) {
       editor_.remove(*id);
       return std::nullopt;
     }
-    give_states(*id, model.states, is_free_there);
+    // A dirty plate stands where clean ones do not.
+    give_states(*id, model.states, is_free(category, {.room = model.room, .oddness = Oddness::Unusual}, wanted));
     return id;
   }
 
@@ -406,24 +417,40 @@ class Decoys {
             household->place(kept_as(category), Predicate::Inside, receptacle) != nullptr);
   }
 
-  /// Whether a receptacle is in the room, and not where this task, or one for the thing itself, puts things.
-  bool may_hold(const Node& host, const Room* room, const std::string& wanted) {
+  /// Whether a receptacle is in the room of the model, not where this task, or one for the thing itself, puts things,
+  /// and no odder for the thing than the model's place is.
+  bool may_hold(const Node& host, const Category& category, const Added& model, const std::string& wanted) {
     return host.category != wanted && !places_.contains(host.category) &&
-           (room == nullptr || workspace().room_of(*workspace().places().find(host.id)) == room);
+           (model.room == nullptr || workspace().room_of(*workspace().places().find(host.id)) == model.room) &&
+           (model.oddness != Oddness::None || is_usual_at(category, host.category));
   }
-  /// The same, and no food is heated there: nobody leaves a slice of tomato in the toaster.
-  std::function<bool(const Node&)> is_free(const Room* room, std::string wanted) {
-    return [this, room, wanted = std::move(wanted)](const Node& host) {
+  /// The same; no food is heated there, and slices lie on or in something that is carried: nobody leaves a slice of
+  /// tomato in the toaster or on the desk.
+  std::function<bool(const Node&)> is_free(const Category& category, const Added& model, std::string wanted) {
+    return [this, &category, model, wanted = std::move(wanted)](const Node& host) {
       const auto* household = workspace().household();
       const bool heats = household != nullptr && household->passes(host.category) && !household->washes(host.category);
-      return may_hold(host, room, wanted) && !heats;
+      const bool suits = host.movable || !sliced_.contains(category.name);
+      return may_hold(host, category, model, wanted) && !heats && suits;
     };
   }
 
-  bool is_sensible(const std::string& id) {
+  /// Whether such things are usually on or in such a receptacle; true where none of their places is usual.
+  bool is_usual_at(const Category& category, const std::string& receptacle) {
+    const auto* household = workspace().household();
+    if (household == nullptr) return true;
+    const auto& all = household->places_of(kept_as(category));
+    const auto is_usual = [](const Household::Place& place) { return place.usual; };
+    return std::none_of(all.begin(), all.end(), is_usual) ||
+           std::any_of(all.begin(), all.end(),
+                       [&](const Household::Place& place) { return place.usual && place.receptacle == receptacle; });
+  }
+
+  /// Whether a thing is not senseless where and as it is, nor odder than the model's oddness.
+  bool is_sensible(const std::string& id, Oddness model = Oddness::Unusual) {
     editor_.refresh();
     const Node& node = workspace().scene().nodes[*workspace().places().find(id)];
-    return oddness_of(workspace(), node) != Oddness::Senseless;
+    return oddness_of(workspace(), node) <= std::min(model, Oddness::Unusual);
   }
 
   SceneEditor& editor_;

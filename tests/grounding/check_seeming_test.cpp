@@ -99,6 +99,12 @@ TEST(Seeming, IsNotAskedBesideWhatWaitsInTheSink) {
   EXPECT_FALSE(seems(beside, {{"bowl_1", Inside, "fridge"}}));
 }
 
+TEST(Seeming, IsNotAskedOfDirtyThingsThatWaitInTheSink) {
+  const std::string out = "(exists (?b - Sink) (at-end (count = 0 (?a - Bowl) (inside ?a ?b))))";
+  EXPECT_TRUE(seems(out, {{"bowl_1", Inside, "sink"}}, {{"bowl_1"}, {}}));
+  EXPECT_FALSE(seems(out, {{"bowl_1", Inside, "sink"}}, {{}, {"bowl_1"}}));
+}
+
 TEST(Seeming, EndsWhereContactsGoInACircle) {
   EXPECT_FALSE(seems(kOntoCounter, {{"apple", On, "bowl_1"}, {"bowl_1", On, "bowl_2"}, {"bowl_2", On, "bowl_1"}}));
 }
