@@ -6,11 +6,13 @@
 namespace unietp {
 namespace {
 
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
 /// Walks the bytes once and keeps line and column, so that no position has to be computed afterwards.
 class Reader {
  public:
   Reader(std::string_view where, std::string_view text) : where_(where), text_(text) {
-    if (text_.starts_with("\xEF\xBB\xBF")) fail({1, 1}, "byte order mark; expected UTF-8 without one"), at_ = 3;
+    if (text_.starts_with(kByteOrderMark)) fail({1, 1}, "byte order mark; expected UTF-8 without one"), at_ = 3;
   }
 
   bool done() const { return at_ >= text_.size(); }
@@ -145,7 +147,8 @@ CsvFile read_csv(std::string_view where, std::string_view text) {
 }
 
 std::string csv_field(std::string_view text) {
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos && !text.starts_with(kByteOrderMark))
+    return std::string(text);
   std::string field = "\"";
   for (const char c : text) {
     if (c == '"') field += '"';

@@ -28,7 +28,8 @@ struct CsvFile {
 /// header.
 CsvFile read_csv(std::string_view where, std::string_view text);
 
-/// A field as it must stand in a CSV line: quoted when it holds a comma, a quote or a line end.
+/// A field as it must stand in a CSV line: quoted when it holds a comma, a quote or a line end, or begins
+/// with a byte order mark, which no file may begin with.
 std::string csv_field(std::string_view text);
 /// One line, LF at its end.
 std::string csv_line(const std::vector<std::string>& fields);

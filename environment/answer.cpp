@@ -77,6 +77,7 @@ class AnswerReader {
       return answered;
     }
     answered.command.action = action_name(name->get_ref<const std::string&>());
+    if (answered.command.action.empty()) expect(std::string(kExpectedAction));  // of blanks
     const Json* args = field(json, {"args", "arguments"});
     if (args == nullptr || args->is_null()) return answered;
     if (args->is_array() && !is_numbers(*args, 4) && !is_numbers(*args, 2)) {

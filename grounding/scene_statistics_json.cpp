@@ -61,7 +61,7 @@ class TableReader {
     double number = 0;
     read(name, number);
     if (number > 1e9) return reader_.fail("/" + std::string(name), "expected a whole number up to 1000000000");
-    value = static_cast<int>(number);
+    if (number >= 0) value = static_cast<int>(number);
   }
 
  private:

@@ -71,6 +71,17 @@ TEST(ReadCsv, GoesOnAfterABadRow) {
   EXPECT_EQ(texts(file.rows[0]), (Fields{"3", "4"}));
 }
 
+TEST(ReadCsv, ReadsBackAFieldThatBeginsWithAByteOrderMark) {
+  const auto file = read_csv("t.csv", csv_line({"\xEF\xBB\xBF"
+                                                "one",
+                                                "two"}) +
+                                          csv_line({"1", "2"}));
+  EXPECT_TRUE(file.errors.empty());
+  EXPECT_EQ(texts(file.header), (Fields{"\xEF\xBB\xBF"
+                                        "one",
+                                        "two"}));
+}
+
 TEST(ReadCsv, ReadsBackWhatCsvLineWroteForAnySeed) {
   constexpr std::string_view kLetters = "ab,\"\n\r ;|\xC3\xA9";
   for (std::uint64_t seed = 0; seed < 500; ++seed) {

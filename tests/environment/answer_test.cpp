@@ -100,10 +100,11 @@ TEST(Answers, ThatCannotBeReadSayWhatWasExpectedAndRepeatNothing) {
         std::string("{\"action\": \"pick_up\", \"args\": [\"mug_77\""), std::string(R"({"act": "mug_77"})"),
         std::string(R"({"action": ["mug_77"]})"), std::string(R"({"action": "pick_up", "args": ["mug_77", "mug_77"]})"),
         std::string(R"({"action": "pick_up", "args": [{"bbox": [1, 2, 3]}]})"),
-        std::string(R"({"action": "", "args": ["mug_77"]})"), std::string(R"({"action": "a"} {"action": "mug_77"})"),
-        std::string("[]"), std::string("{}"), std::string("7"), std::string("\"mug_77\""),
-        std::string("{\"actions\": [7]}"), std::string("\xff\xfe{mug_77"), std::string(200, '['),
-        R"({"action": ")" + std::string(300, 'x') + "\"}", std::string("pick_up(mug_77\n\x01)")}) {
+        std::string(R"({"action": "", "args": ["mug_77"]})"), std::string(R"({"action": " ", "args": ["mug_77"]})"),
+        std::string(R"({"action": "a"} {"action": "mug_77"})"), std::string("[]"), std::string("{}"), std::string("7"),
+        std::string("\"mug_77\""), std::string("{\"actions\": [7]}"), std::string("\xff\xfe{mug_77"),
+        std::string(200, '['), R"({"action": ")" + std::string(300, 'x') + "\"}",
+        std::string("pick_up(mug_77\n\x01)")}) {
     const auto answer = parse_answer(text, kPixels);
     ASSERT_FALSE(answer) << text;
     EXPECT_THAT(answer.error().message, HasSubstr("expected")) << text;
