@@ -450,9 +450,9 @@ std::optional<std::string> ClauseWriter::filled(const std::string& pattern, cons
   if (const auto there = there_too(clause.complements[0])) return "put " + subjects->text + " " + *there;
   std::string exception =
       naming_.everyday() && naming_.says_one_thing() ? taken_exception(clause, subjects->text) : std::string();
-  // "Wash a mug and hold it": it is in the hand already.
+  // "Wash a mug and bring it to me": it is in the hand already.
   const bool held = naming_.everyday() && subjects->text == "it" && clause.complements[0].predicate == Predicate::Held;
-  std::string text = held ? "hold {s}" : with_particle_order(pattern, subjects->text, clause.complements[0]);
+  std::string text = held ? "bring {s} to me" : with_particle_order(pattern, subjects->text, clause.complements[0]);
   text = replace_all(text, "{m}", symbol_words(clause.complements[0].symbol));
   if (!clause.complements[0].object.empty()) {
     Place place = place_of(clause);

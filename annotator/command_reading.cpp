@@ -171,6 +171,10 @@ Clause ClauseReader::taken() {
     if (!goes_to(clause)) words_.fail("expected 'to'");
     return clause;
   }
+  if (words_.accept("to me")) {  // "wash the mug and bring it to me"
+    clause.complements.push_back({P::Held, false, "", {}});
+    return clause;
+  }
   if (taken_from(clause)) return clause;
   if (goes_to(clause)) return clause;
   const bool inside = words_.accept("out of");

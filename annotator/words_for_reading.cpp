@@ -55,7 +55,7 @@ constexpr std::array<ReadingRow, kPredicateCount> kReadingRows{{
     {P::Unplugged, "unplugged", "", "", "unplug", "unplug plug disconnect", "unplug. unplugged."},
     {P::Held, "in your hand|in your hands|held", "", "",
      "pick up|pick _ up|end up holding|hold on to|hold|grab me|grab",
-     "hold held hand pick carry carri grab grasp down. somewhere.", "hold. holding. held."},
+     "hold held hand pick carry carri grab grasp me. down. somewhere.", "hold. holding. held."},
     {P::SatOn, "sat on", "", "", "sit down on|sit on", "sit sat. seat", "sit. seated."},
     {P::LainOn, "lain on", "", "", "lie down on|lie on", "lie lying lain lay", "lie. lain. lying."},
     {P::Read, "read", "", "", "read", "read. reads. reading.", "read. reading."},

@@ -10,6 +10,8 @@ const LeakChannel kLeakingOrder{"order of the list", {{Scope::InList, {&Option::
 const LeakChannel kLeakingNumber{"numbers of ids", {{Scope::WithinKind, {&Option::number, &Option::number_rank}}}};
 const LeakChannel kLeakingWhich{"numbers of ids", {{Scope::All, {&Option::number, &Option::number_rank}}}};
 const LeakChannel kLeakingOrderOfKind{"order of the list", {{Scope::All, {&Option::place}}}};
+// What is in view is listed by id, so by kind, and the picture shows kinds: only the order within a kind may leak.
+const LeakChannel kLeakingOrderInView{"order of the list", {{Scope::WithinKind, {&Option::place}}}};
 const LeakChannel kLeakingCount{"number of its kind", {{Scope::AcrossKinds, {&Option::of_kind}}}};
 const LeakChannel kLeakingMore{"number of its kind", {{Scope::AcrossKinds, {&Option::more}}}};
 const LeakChannel kLeakingElsewhere{"frequency of its kind", {{Scope::AcrossKinds, {&Option::elsewhere}}}};
@@ -118,8 +120,8 @@ const std::vector<ShortcutPolicy>& shortcut_policies() {
       {"room-of-start", "the list, where the agent is", Room, &kLeakingDistance, signed_field<&Option::distance, -1>},
       {"usual-room", "rooms of other homes' goals", Room, &kLeakingOrder, field_then_place<&Option::goal_share, -1>},
       // Something in the first picture that the goal needs.
-      {"first-in-view", kKnowsPicture, InView, &kLeakingOrderOfKind, signed_field<&Option::place, -1>},
-      {"last-in-view", kKnowsPicture, InView, &kLeakingOrderOfKind, signed_field<&Option::place, 1>},
+      {"first-in-view", kKnowsPicture, InView, &kLeakingOrderInView, signed_field<&Option::place, -1>},
+      {"last-in-view", kKnowsPicture, InView, &kLeakingOrderInView, signed_field<&Option::place, 1>},
       {"largest-in-view", kKnowsPicture, InView, &kLeakingBox, signed_field<&Option::area, 1>},
       {"lowest-in-view", kKnowsPicture, InView, &kLeakingBox, signed_field<&Option::low_edge, 1>},
       // What the demonstration begins with.

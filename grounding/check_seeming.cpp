@@ -90,7 +90,7 @@ class SeemingRelations {
       }
   }
 
-  /// Finds a clean thing beside dirty ones; with `places`, where the things are not yet, if they are washed there.
+  /// Finds a clean thing beside dirty ones; with `places`, one that is to go where it is washed.
   void tell_clean(const std::vector<EntityIndex>& things, const std::vector<EntityIndex>& places) {
     const Facts& now = trace_.states.front();
     const auto is_there = [&](EntityIndex thing) {
@@ -98,16 +98,17 @@ class SeemingRelations {
         return now.holds(Predicate::Inside, thing, place) || now.holds(Predicate::On, thing, place);
       });
     };
-    const auto is_dirty = [&](EntityIndex thing) { return now.holds(Predicate::Dirty, thing) && !is_there(thing); };
-    const auto is_clean = [&](EntityIndex thing) { return now.holds(Predicate::Clean, thing) && !is_there(thing); };
-    const auto clean = std::find_if(things.begin(), things.end(), is_clean);
-    if (clean == things.end() || std::none_of(things.begin(), things.end(), is_dirty)) return;
-    if (!places.empty() &&
-        std::none_of(places.begin(), places.end(), [&](EntityIndex place) { return washes(place, *clean); }))
+    const auto clean = std::find_if(things.begin(), things.end(), [&](EntityIndex thing) {
+      return now.holds(Predicate::Clean, thing) && !is_there(thing);
+    });
+    if (clean == things.end()) return;
+    const auto is_dirty = [&](EntityIndex thing) { return now.holds(Predicate::Dirty, thing); };
+    const auto is_washed_there = [&](EntityIndex place) { return washes(place, *clean); };
+    if (places.empty() ? std::none_of(things.begin(), things.end(), is_dirty)
+                       : std::none_of(places.begin(), places.end(), is_washed_there))
       return;
-    found_ = {RejectionReason::PartHolds,
-              trace_.entities[*clean].id + " is clean, and others that seem to be meant are dirty",
-              {}};
+    found_ = {
+        RejectionReason::PartHolds, trace_.entities[*clean].id + " is clean, and only dirty ones seem to be meant", {}};
   }
 
   /// Finds a thing that waits where such things are washed: nothing is put beside it there.

@@ -14,10 +14,10 @@ namespace unietp {
 /// movable that is at the place are at the place to people, and to the goal they are not. The first such pair of a
 /// thing and a place that the goal relates by `on` or `inside`, or nullopt.
 ///
-/// The same of things that are to be washed, or put where such things are washed, when some are dirty and others clean:
-/// who asks to put "a plate" in the dishwasher, or to wash "every plate", means the dirty ones, and the goal means any,
-/// or all. And of what is to be put next to a thing in the sink, or of dirty things that are to be taken out of it.
-/// `trace` has at least one state.
+/// The same of things that are to be washed when some are clean already, and of clean things that are to go where such
+/// things are washed: who asks to wash "every plate", or to put "a plate" in the dishwasher, means dirty ones. And of
+/// what is to be put next to a thing in the sink, or of dirty things that are to be taken out of it. `trace` has at
+/// least one state.
 std::optional<GroundingFailure> check_seeming(const Formula& goal, const Trace& trace, const Knowledge& knowledge);
 
 }  // namespace unietp

@@ -169,9 +169,14 @@ class Decoys {
     return whole == sliced_.end() ? std::string_view(category.name) : whole->second;
   }
 
+  static bool is_wall_thing(const Category& category) {
+    return std::find(category.kinds.begin(), category.kinds.end(), "wall_thing") != category.kinds.end();
+  }
+
   bool can_be_decoy(const Category& category) {
     const auto* household = workspace().household();
-    return category.movable && !spoken_.contains(category.name) &&
+    // What belongs on a wall is nowhere for company.
+    return category.movable && !spoken_.contains(category.name) && !is_wall_thing(category) &&
            (household == nullptr || !household->places_of(kept_as(category)).empty());
   }
 
@@ -308,6 +313,9 @@ class Decoys {
       if (!place || !node.movable || spoken_.contains(node.category)) continue;
       const Node& now = workspace().scene().nodes[*place];
       if (now.states.has(state) || (now != node && !given_states_.contains(node.id))) continue;
+      // A wine bottle is full of wine or empty.
+      if (state.predicate == Predicate::Filled && !knowledge().effects_of(node.category, Treatment::Fills).empty())
+        continue;
       ids.emplace_back(unlike(now, given), node.id);
     }
     rng_.shuffle(ids);

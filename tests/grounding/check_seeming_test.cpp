@@ -79,7 +79,7 @@ TEST(Seeming, IsLookedForInDescriptionsAndProhibitions) {
   EXPECT_FALSE(seems("(exists (?a - (Bowl :where (clean ?a))) (exists (?b - CounterTop) (at-end (on ?a ?b))))", both));
 }
 
-TEST(Seeming, IsOfCleanThingsAmongDirtyOnesThatAreToBeWashed) {
+TEST(Seeming, IsOfCleanThingsThatAreToBeWashed) {
   const std::string into_sink = "(exists (?a - Bowl) (exists (?b - Sink) (at-end (inside ?a ?b))))",
                     wash_all = "(forall (?a - Bowl) (at-end (clean ?a)))";
   const Dirt mixed{{"bowl_1"}, {"bowl_2"}};
@@ -88,6 +88,7 @@ TEST(Seeming, IsOfCleanThingsAmongDirtyOnesThatAreToBeWashed) {
   EXPECT_FALSE(seems(into_sink, {{"bowl_2", Inside, "sink"}}, mixed));  // the dirty one is left
   EXPECT_FALSE(seems(into_sink, {}, {{"bowl_1", "bowl_2"}, {}}));
   EXPECT_FALSE(seems(wash_all, {}, {{"bowl_1", "bowl_2"}, {}}));
+  EXPECT_TRUE(seems(into_sink, {}, {{}, {"bowl_1", "bowl_2"}}));
   EXPECT_FALSE(seems("(exists (?a - Bowl) (exists (?b - DiningTable) (at-end (on ?a ?b))))", {}, mixed));
   EXPECT_FALSE(
       seems("(exists (?a - (Bowl :where (dirty ?a))) (exists (?b - Sink) (at-end (inside ?a ?b))))", {}, mixed));
