@@ -1,6 +1,7 @@
 #include "cli/common_options.h"
 
 #include "cli/command_parser.h"
+#include "core/program_limits.h"
 #include "dataset/configuration.h"
 #include "scene/simulator.h"
 
@@ -30,7 +31,7 @@ CommandOption* add_simulator_argument(CommandParser& command, std::string& targe
 void add_threads_option(CommandParser& command, int& threads, const CommandLine& program) {
   threads = program.processors;
   command.add_option("--threads", threads, "Threads (default: one per processor); never changes the result")
-      ->within(1, 1024);
+      ->within(1, limits::kThreads);
 }
 
 }  // namespace unietp
