@@ -15,6 +15,7 @@
 #include "core/file_writer.h"
 #include "core/in_quotes.h"
 #include "record/manifest_record.h"
+#include "record/recorded_words.h"
 #include "resources/resources.h"
 #include "scene/command.h"
 #include "validator/validate.h"
@@ -169,7 +170,7 @@ class PlanFile {
 /// it is held against.
 Result<std::optional<AuditReport>> audit_if_benchmark(const ValidateOptions& options) {
   const auto manifest = read_manifest_file(options.folder);
-  if (!manifest || manifest->run.homes != "benchmark" || manifest->run.by_split.empty())
+  if (!manifest || recorded_homes(manifest->run.homes) != RecordedHomes::Benchmark || manifest->run.by_split.empty())
     return std::optional<AuditReport>();
   auto tasks = audited_tasks(options.folder, options.threads, [](int) {});
   if (!tasks) return tasks.error();

@@ -18,6 +18,7 @@
 #include "dataset/configuration_json.h"
 #include "dataset/lines.h"
 #include "generator/rejection.h"
+#include "rewording/annotate.h"
 
 namespace unietp {
 namespace {
@@ -148,7 +149,7 @@ Exit make_data_set(RunCommand& command, const Resources& resources, const Comman
   if (!phrasings) return refuse(phrasings.error());
   if (*phrasings != Phrasings::Everyday) command.configuration.phrasings = *phrasings;
   command.configuration.english = english_of(command.writer).value_or(command.configuration.english);
-  const bool by_grammar = command.writer.writer == "grammar";
+  const bool by_grammar = writer_named(command.writer.writer) == Writer::Grammar;
   if (!by_grammar && !command.run.shard.is_whole())
     return refuse({Error::Kind::Usage,
                    "--writer",
