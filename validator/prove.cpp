@@ -41,6 +41,11 @@ class TaskProver {
     return std::move(proof_);
   }
 
+  TaskFacts facts() {
+    if (read_scene()) proof_.facts = facts_of(task_, *home_, start_, read_demonstrations(), *backend_->knowledge);
+    return std::move(proof_.facts);
+  }
+
  private:
   void found(ProblemKind kind, const std::string& where, std::string message) {
     proof_.problems.push_back(problem_in(kind, where, std::move(message)));
@@ -95,8 +100,7 @@ class TaskProver {
   }
 
   void prove_scene() {
-    std::map<Mode, DemonstrationRecord> shown;
-    for (const Mode mode : kModes) read_demonstration(mode, shown);
+    const auto shown = read_demonstrations();
     const auto in_m1 = shown.find(Mode::M1);
     proof_.facts = facts_of(task_, *home_, start_, shown, *backend_->knowledge);
     auto physics = physics_of(start_);
@@ -173,6 +177,12 @@ class TaskProver {
 
   std::string where_shown(Mode mode) const {
     return tools_.reader.lines().shown_at(mode, lines_.shown_in(mode).line->number);
+  }
+
+  std::map<Mode, DemonstrationRecord> read_demonstrations() {
+    std::map<Mode, DemonstrationRecord> shown;
+    for (const Mode mode : kModes) read_demonstration(mode, shown);
+    return shown;
   }
 
   void read_demonstration(Mode mode, std::map<Mode, DemonstrationRecord>& shown) {
@@ -363,6 +373,10 @@ class TaskProver {
 
 TaskProof prove_task(const TaskReading& task, const TaskLines& lines, const ProofTools& tools) {
   return TaskProver(task, lines, tools).prove();
+}
+
+TaskFacts read_task_facts(const TaskReading& task, const TaskLines& lines, const ProofTools& tools) {
+  return TaskProver(task, lines, tools).facts();
 }
 
 }  // namespace unietp
