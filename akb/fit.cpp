@@ -56,9 +56,9 @@ std::optional<Room3> top(const Category& c) {
       return plane(s.x(), s.y());
     case Archetype::Cabinet:
       if (s.z() > kHighestTop_m) return std::nullopt;
-      return plane(s.x(), s.y() - 0.025);  // the door
+      return plane(s.x(), s.y() - kDoorAllowance_m);
     case Archetype::Seat:
-      return plane(s.x(), s.y() - seat_dimensions(s).back - 0.01);
+      return plane(s.x(), s.y() - seat_dimensions(s).back - kBackrestGap_m);
     case Archetype::Bed:
       return plane(s.x(), s.y() - bed_dimensions(s).headboard);
     case Archetype::Shelf: {

@@ -8,6 +8,7 @@
 #include "cli/common_options.h"
 #include "cli/library_options.h"
 #include "cli/run_command.h"
+#include "core/limits.h"
 #include "homes/given_scenes.h"
 
 namespace unietp {
@@ -108,7 +109,7 @@ void add_generate_command(CommandParser& app, CommandLine& program) {
   auto* count =
       command
           ->add_option("--count", configuration.count, "Number of tasks (default: 40; with --bind, one per simulator)")
-          ->within(1, 1000000);
+          ->within(1, limits::kTasks);
   command->add_option("--seed", configuration.seed, "Seed of the run")->shows_default();
   add_simulators_option(*command, options->simulators, "Simulators (default: all)");
   command->add_option("--splits", options->splits, "Splits (default: all)")
@@ -125,7 +126,7 @@ void add_generate_command(CommandParser& app, CommandLine& program) {
   command->add_option("--bind", options->binding, "Categories for some or all placeholders of the one template")
       ->type_name("A=Mug B=Fridge ...");
   command->add_option("--attempts", configuration.attempts, "Candidates to try before a task is given up")
-      ->within(1, 1024)
+      ->within(1, limits::kAttempts)
       ->shows_default();
   command->add_option("--rooms", configuration.rooms, "Rooms in a home")->within(5, 20)->shows_default();
   command->add_option("--objects", configuration.objects, "Movable objects to ask for in a home")

@@ -107,14 +107,17 @@ void list_objects(const Channels& channels, const Scene& scene) {
   }
 }
 
-Result<std::string> measured(const Scene& scene, const Profile& profile, Viewpoint viewpoint,
-                             const std::string& channel) {
+std::vector<std::string> channel_names() {
+  std::vector<std::string> names;
+  for (const Channel channel : kChannels) names.emplace_back(name_of(channel));
+  return names;
+}
+
+Result<std::string> measured(const Scene& scene, const Profile& profile, Viewpoint viewpoint, Channel channel) {
   Rays rays;
   const Channels channels = channels_from(scene, profile, viewpoint, rays);
-  if (channel == "depth") return depth_png(channels);
-  if (channel == "normals") return normals_png(channels);
-  list_objects(channels, scene);
-  return instances_png(channels);
+  if (channel == Channel::Instances) list_objects(channels, scene);
+  return channel_png(channels, channel);
 }
 
 /// What the options ask for, as the bytes of a PNG. Errors: Usage.
@@ -124,7 +127,8 @@ Result<std::string> picture(const Scene& scene, Profile profile, const RenderOpt
   }
   const auto viewpoint = *std::find_if(kViewpoints.begin(), kViewpoints.end(),
                                        [&](Viewpoint one) { return name_of(one) == options.camera; });
-  if (options.channel != "color") return measured(scene, profile, viewpoint, options.channel);
+  if (const Channel channel = *channel_named(options.channel); channel != Channel::Color)
+    return measured(scene, profile, viewpoint, channel);
   return seen(scene, profile, viewpoint, options.boxes);
 }
 
@@ -143,9 +147,10 @@ Exit render(const RenderOptions& options, const DataFolders& folders) {
   const bool as_seen = options.out.extension() == ".png";
   if (options.step < 1 || options.step > scenes.size())
     return refuse({Error::Kind::Usage, "--step", {}, "expected 1 to " + std::to_string(scenes.size())});
-  if (options.boxes && (options.camera != "agent" || options.channel != "color"))
+  if (options.boxes && (options.camera != "agent" || channel_named(options.channel) != Channel::Color))
     return refuse({Error::Kind::Usage, "--boxes", {}, "expected the agent's camera and color, which the boxes are of"});
-  if (!as_seen && (!options.size.empty() || options.camera != "agent" || options.channel != "color"))
+  if (!as_seen &&
+      (!options.size.empty() || options.camera != "agent" || channel_named(options.channel) != Channel::Color))
     return refuse({Error::Kind::Usage,
                    options.out.string(),
                    {},
@@ -191,7 +196,7 @@ void add_render_command(CommandParser& app, CommandLine& program) {
       ->one_of({"agent", "behind", "above"})
       ->shows_default();
   command->add_option("--channel", options->channel, "PNG: what each pixel holds")
-      ->one_of({"color", "depth", "normals", "instances"})
+      ->one_of(channel_names())
       ->shows_default();
   command->callback([options, &program] { program.exit = render(*options, program.folders); });
 }

@@ -6,6 +6,7 @@
 #include "cli/common_options.h"
 #include "core/file_writer.h"
 #include "core/files.h"
+#include "core/limits.h"
 #include "record/manifest_record.h"
 #include "report/review_page.h"
 #include "rewording/apply_review.h"
@@ -80,7 +81,7 @@ void add_review_command(CommandParser& app, CommandLine& program) {
   command->add_option("--out", options->out, "HTML file to write; with --apply, a new data set to make")->output();
   auto* reviews = command->add_option("--apply", options->reviews, "File that the page saved")->existing_file();
   command->add_option("--view", options->view, "Width of the agent's view on the page, in pixels")
-      ->within(16, 4096)
+      ->within(limits::kLeastImageSide, limits::kImageSide)
       ->shows_default();
   command
       ->add_flag("--accept-unchecked", options->apply.accept_unchecked,

@@ -12,6 +12,7 @@
 #include "cli/common_options.h"
 #include "cli/each_home.h"
 #include "cli/library_options.h"
+#include "core/limits.h"
 #include "core/text.h"
 #include "core/unknown_name.h"
 
@@ -175,7 +176,7 @@ void add_template_coverage_command(CommandParser& group, CommandLine& program) {
         "also how many of the M1 demonstrations succeed in M2, and their lengths"},
        {"unietp template coverage --tries 10 --modes M1,M2,M3 --markdown > docs/coverage.md", ""}});
   command->add_option("--tries", options->tries, "Candidates of each template on each simulator (default: none)")
-      ->within(0, 1024);
+      ->within(0, limits::kAttempts);
   command->add_option("--template", options->names, "Templates by name (default: all)")
       ->type_name("NAME,...")
       ->delimiter(',')

@@ -12,6 +12,7 @@
 #include "cli/each_home.h"
 #include "cli/library_options.h"
 #include "cli/sense_folder.h"
+#include "core/limits.h"
 #include "core/text.h"
 #include "run/given_binding.h"
 #include "sense/grade_goal.h"
@@ -183,7 +184,9 @@ void add_template_try_command(CommandParser& group, CommandLine& program) {
   command->add_option("--bind", options->binding, "Categories for some or all placeholders")
       ->type_name("A=Mug B=Fridge ...");
   command->add_option("--count", options->count, "Tasks per simulator")->within(1, 1000)->shows_default();
-  command->add_option("--tries", options->tries, "Most candidates per simulator")->within(1, 1024)->shows_default();
+  command->add_option("--tries", options->tries, "Most candidates per simulator")
+      ->within(1, limits::kAttempts)
+      ->shows_default();
   command->add_option("--homes", options->homes, "Homes per simulator")->within(1, 100)->shows_default();
   command->add_option("--seed", options->seed, "Seed of homes and candidates")->shows_default();
   add_threads_option(*command, options->threads, program);

@@ -10,6 +10,7 @@
 #include "cli/command_template.h"
 #include "cli/common_options.h"
 #include "cli/library_options.h"
+#include "core/limits.h"
 #include "core/text.h"
 #include "run/given_binding.h"
 #include "run/sense_of_binding.h"
@@ -121,7 +122,7 @@ void add_template_why_not_command(CommandParser& group, CommandLine& program) {
                         "Simulators (default: all that the template claims and that know the categories)",
                         "--simulator,--simulators");
   command->add_flag("--try", options->in_homes, "Also build starts in a few homes and run the expert");
-  command->add_option("--tries", options->tries, "Most candidates")->within(1, 1024)->shows_default();
+  command->add_option("--tries", options->tries, "Most candidates")->within(1, limits::kAttempts)->shows_default();
   command->add_option("--homes", options->homes, "Homes per simulator")->within(1, 100)->shows_default();
   command->add_option("--seed", options->seed, "Seed of homes and candidates")->shows_default();
   command->add_flag("--json", options->json, "Print JSON");

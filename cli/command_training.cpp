@@ -5,6 +5,7 @@
 #include "cli/common_options.h"
 #include "cli/held_out_templates.h"
 #include "cli/run_command.h"
+#include "core/limits.h"
 
 namespace unietp {
 namespace {
@@ -75,7 +76,7 @@ void add_training_command(CommandParser& app, CommandLine& program) {
        {"unietp training --shard 2/8 --out out/part-2",
         "the second of eight parts, each on a machine of its own; `unietp merge` joins them"}});
   command->add_option("--config", options->file, "Configuration file (default: the 9,000 tasks)")->existing_file();
-  command->add_option("--count", options->count, "Number of tasks (default: 9000)")->within(1, 1000000000);
+  command->add_option("--count", options->count, "Number of tasks (default: 9000)")->within(1, limits::kTasks);
   command->add_option("--seed", options->seed, "Seed of the run: other homes, other tasks");
   add_simulators_option(*command, options->without_simulators, "Leave out one or more simulators",
                         "--without-simulator");

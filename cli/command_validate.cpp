@@ -15,6 +15,7 @@
 #include "core/file_writer.h"
 #include "core/in_quotes.h"
 #include "record/manifest_record.h"
+#include "record/recorded_words.h"
 #include "resources/resources.h"
 #include "scene/command.h"
 #include "validator/validate.h"
@@ -27,6 +28,7 @@ using Json = nlohmann::ordered_json;
 struct ValidateOptions {
   std::filesystem::path folder, dataset, plans;
   std::vector<std::filesystem::path> against;
+  std::string shard;  // "2/8"; empty: all of it
   int threads = 1;
   bool json = false, kinds = false;
 };
@@ -67,7 +69,7 @@ Json audit_of(const AuditReport& audit) {
   return {{"cells", audit.cells.size()}, {"training_tasks", audit.examples}, {"leaks", std::move(leaks)}};
 }
 
-void print_json(const ValidationReport& report, const std::optional<AuditReport>& audit) {
+void print_json(const ValidationReport& report, const std::optional<AuditReport>& audit, const std::string& shard) {
   auto problems = Json::array();
   for (const auto& problem : report.problems) {
     const auto& error = problem.error;
@@ -84,6 +86,7 @@ void print_json(const ValidationReport& report, const std::optional<AuditReport>
   auto kinds = Json::object();
   for (const auto& [kind, count] : counted(report)) kinds[std::string(name_of(kind))] = count;
   Json json{{"format", "unietp-validation/1"}};
+  if (!shard.empty()) json["shard"] = shard;
   json.update(counts_json(report.counts));
   json["by_simulator"] = std::move(simulators);
   json["by_kind"] = std::move(kinds);
@@ -100,7 +103,7 @@ void print_row(std::string_view name, const ProofCounts& counts) {
               counts.demonstrations, counts.steps, counts.altered_plans, counts.texts);
 }
 
-void print_text(const ValidationReport& report, const std::optional<AuditReport>& audit) {
+void print_text(const ValidationReport& report, const std::optional<AuditReport>& audit, const std::string& shard) {
   for (const auto& problem : report.problems)
     std::printf("%s %s: %s\n", std::string(name_of(problem.kind)).c_str(),
                 problem.task.empty() ? "data set" : for_terminal(problem.task).c_str(), format(problem.error).c_str());
@@ -126,7 +129,8 @@ void print_text(const ValidationReport& report, const std::optional<AuditReport>
   if (report.counts.constrained > 0)
     std::printf("%d of %d goals with constraints have a plan that forgets one and does the rest\n",
                 report.counts.tempting, report.counts.constrained);
-  std::printf("%d of %d proven\n", report.counts.proven, report.counts.tasks);
+  std::printf("%d of %d proven%s\n", report.counts.proven, report.counts.tasks,
+              shard.empty() ? "" : (" in shard " + shard).c_str());
 }
 
 /// The table of docs/validate.md.
@@ -169,7 +173,7 @@ class PlanFile {
 /// it is held against.
 Result<std::optional<AuditReport>> audit_if_benchmark(const ValidateOptions& options) {
   const auto manifest = read_manifest_file(options.folder);
-  if (!manifest || manifest->run.homes != "benchmark" || manifest->run.by_split.empty())
+  if (!manifest || recorded_homes(manifest->run.homes) != RecordedHomes::Benchmark || manifest->run.by_split.empty())
     return std::optional<AuditReport>();
   auto tasks = audited_tasks(options.folder, options.threads, [](int) {});
   if (!tasks) return tasks.error();
@@ -199,8 +203,12 @@ Exit validate(ValidateOptions& options, const CommandLine& program) {
                      folder.empty() ? "expected the folder of a finished data set"
                                     : "is not a folder; expected a finished data set"});
   }
-  if (is_evaluation(options.folder))
-    return validate_evaluation(options.folder, options.dataset, options.threads, program);
+  const auto shard = options.shard.empty() ? Result(Shard()) : parse_shard(options.shard);
+  if (!shard) return refuse(shard.error());
+  const bool evaluation = is_evaluation(options.folder);
+  if (evaluation && !options.shard.empty())
+    return refuse({Error::Kind::Usage, "--shard", {}, "is of data sets; an evaluation is verified as a whole"});
+  if (evaluation) return validate_evaluation(options.folder, options.dataset, options.threads, program);
   auto folders = program.folders;
   folders.extended_library = records_extended_library(options.folder);
   const auto reading = load_resources(folders);
@@ -211,6 +219,8 @@ Exit validate(ValidateOptions& options, const CommandLine& program) {
   auto validation = full_validation(resources, folders);
   if (!validation) return refuse(validation.error());
   validation->threads = options.threads;
+  validation->part = shard->number;
+  validation->parts = shard->of;
   validation->against = options.against;
   std::optional<PlanFile> plans;
   if (!options.plans.empty()) {
@@ -223,9 +233,9 @@ Exit validate(ValidateOptions& options, const CommandLine& program) {
   if (plans) {
     if (const auto written = plans->finish(); !written) return refuse(written.error());
   }
-  auto audit = report.sound() ? audit_if_benchmark(options) : Result(std::optional<AuditReport>());
+  auto audit = report.sound() && shard->is_whole() ? audit_if_benchmark(options) : Result(std::optional<AuditReport>());
   if (!audit) return refuse(audit.error());
-  options.json ? print_json(report, *audit) : print_text(report, *audit);
+  options.json ? print_json(report, *audit, options.shard) : print_text(report, *audit, options.shard);
   return report.sound() ? Exit::Ok : Exit::Wrong;
 }
 
@@ -247,7 +257,8 @@ void add_validate_command(CommandParser& app, CommandLine& program) {
        {"unietp validate out/my-model --dataset out/benchmark", "an evaluation"},
        {"unietp validate out/first --json > report.json", ""},
        {"unietp validate out/training --against out/benchmark",
-        "no home or seed may be shared, nor a home or task copied with changes"}});
+        "no home or seed may be shared, nor a home or task copied with changes"},
+       {"unietp validate out/training --shard 3/8", "an eighth of the tasks, on one of eight machines"}});
   auto* folder = command->add_option("FOLDER", options->folder, "A finished data set or an evaluation")->folder();
   command
       ->add_option(
@@ -261,6 +272,11 @@ void add_validate_command(CommandParser& app, CommandLine& program) {
       ->add_option("--altered-plans", options->plans,
                    "Write the altered plans that were run, with their results, to this file as JSON lines")
       ->output();
+  command
+      ->add_option("--shard", options->shard,
+                   "Prove only part K of N of the tasks; part 1 also checks what is of the whole data set, so that all "
+                   "parts together are the whole verification")
+      ->type_name("K/N");
   command->add_flag("--kinds", options->kinds, "List the kinds of problems, as Markdown")->excludes(folder);
   add_threads_option(*command, options->threads, program);
   command->add_flag("--json", options->json, "Print the report as JSON");

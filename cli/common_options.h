@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "cli/commands.h"
+#include "core/result.h"
+#include "run/shard.h"
 
 namespace unietp {
 
@@ -18,6 +20,8 @@ CommandOption* add_simulators_option(CommandParser& command, std::string& target
                                      const std::string& name = "--simulators");
 /// Adds the argument SIMULATOR.
 CommandOption* add_simulator_argument(CommandParser& command, std::string& target, const std::string& help);
+/// The value of an option `--shard`, "2/8", as part 2 of 8. Errors: Usage.
+Result<Shard> parse_shard(const std::string& text);
 /// Adds --threads and sets its default.
 void add_threads_option(CommandParser& command, int& threads, const CommandLine& program);
 

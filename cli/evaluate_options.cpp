@@ -157,7 +157,7 @@ void add_selection_options(CommandParser& command, EvaluateChoice& choice) {
                   "Where actions are done and goals judged: unietp or, with the simulator's Python packages "
                   "(docs/native.md), virtualhome (its graph simulator), ai2thor, behavior or habitat")
       ->type_name("NAME")
-      ->suggests({"unietp", "virtualhome", "ai2thor", "behavior", "habitat"})
+      ->suggests({kOwnBackend, "virtualhome", "ai2thor", "behavior", "habitat"})
       ->shows_default();
   command.add_option("--tasks", choice.tasks, "Only these tasks, by their ids")->type_name("ID,...");
   command.add_option("--limit", choice.limit, "At most so many tasks, the first ones")->within(1, limits::kTasks);

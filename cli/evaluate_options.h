@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "core/result.h"
 #include "evaluation/evaluate.h"
+#include "evaluation/evaluation_manifest.h"
 #include "evaluation/model_policy.h"
 
 namespace unietp {
@@ -18,7 +19,7 @@ class CommandParser;
 struct EvaluateChoice {
   std::filesystem::path folder, out, cache;
   std::string model, url, policy;
-  std::string backend = "unietp";
+  std::string backend = kOwnBackend;
   std::string modes = "M1", splits, simulators, tasks, preset = "paper";
   int limit = 0, repeats = 1, at_once = 0, report_pictures = kReportPictures;
   std::optional<std::uint64_t> seed;

@@ -9,11 +9,13 @@
 #include <utility>
 
 #include "evaluation/evaluate.h"
+#include "evaluation/evaluation_manifest.h"
 #include "exports/ai2thor_words.h"
 #include "exports/formats.h"
 #include "generator/goal_variable.h"
 #include "record/manifest_record.h"
 #include "resources/resources.h"
+#include "scene/simulator.h"
 
 namespace unietp {
 namespace {
@@ -43,19 +45,29 @@ bool has(const List& list, Predicate one) {
   return std::find(list.begin(), list.end(), one) != list.end();
 }
 
-bool is_translated(const Formula& goal, const std::string& backend) {
+bool is_translated(Predicate one, Simulator backend) {
+  switch (backend) {
+    case Simulator::Ai2thor:
+      return thor_state(one) != nullptr;
+    case Simulator::Virtualhome:
+      return has(kTranslatedToVirtualhome, one);
+    case Simulator::Habitat:
+      return false;  // which has no other states
+    case Simulator::Behavior:
+      return has(kTranslatedToBehavior, one);
+  }
+  return false;
+}
+
+bool is_translated(const Formula& goal, Simulator backend) {
   const auto asked = predicates_in(goal);
-  return std::all_of(asked.begin(), asked.end(), [&](Predicate one) {
-    if (has(kTranslated, one)) return true;
-    if (backend == "ai2thor") return thor_state(one) != nullptr;
-    if (backend == "habitat") return false;  // which has no other states
-    return backend == "behavior" ? has(kTranslatedToBehavior, one) : has(kTranslatedToVirtualhome, one);
-  });
+  return std::all_of(asked.begin(), asked.end(),
+                     [&](Predicate one) { return has(kTranslated, one) || is_translated(one, backend); });
 }
 
 /// A file that the form has for each task that it expresses.
-fs::path file_of_task(const std::string& backend, const std::string& id) {
-  return backend == "habitat" ? fs::path("scenes") / (id + ".scene_instance.json") : fs::path(id + ".json");
+fs::path file_of_task(Simulator backend, const std::string& id) {
+  return backend == Simulator::Habitat ? fs::path("scenes") / (id + ".scene_instance.json") : fs::path(id + ".json");
 }
 
 Result<fs::path> scratch_folder() {
@@ -113,12 +125,13 @@ SimulatorMaker BackendTasks::simulators(double reply_s, const CommandLine& progr
 
 Result<BackendTasks> backend_tasks(const std::string& backend, const fs::path& dataset, const TaskSource& tasks,
                                    EpisodeSelection& selection, const CommandLine& program) {
-  if (backend == "unietp") return BackendTasks();
+  if (backend == kOwnBackend) return BackendTasks();
   auto folder = scratch_folder();
   if (!folder) return folder.error();
   BackendTasks made(*folder);
   if (auto written = made.write_program(backend); !written) return written.error();
-  const std::vector<std::string> own{backend};  // a backend is called as its simulator
+  const Simulator simulator = *simulator_named(backend);  // a backend is called as its simulator
+  const std::vector<std::string> own{backend};
   if (!selection.simulators.empty() && selection.simulators != own)
     return Error{Error::Kind::Usage, "--simulators", {}, "the backend " + backend + " has only tasks of " + backend};
   selection.simulators = own;
@@ -132,8 +145,8 @@ Result<BackendTasks> backend_tasks(const std::string& backend, const fs::path& d
     if (!kept.empty() && kept.back() == id) continue;
     const auto task = tasks.task(planned.position);
     if (!task) return task.error();
-    const bool expressed = fs::exists(*folder / kTasks / file_of_task(backend, id));
-    if (expressed && is_translated((*task)->goal, backend)) {
+    const bool expressed = fs::exists(*folder / kTasks / file_of_task(simulator, id));
+    if (expressed && is_translated((*task)->goal, simulator)) {
       kept.push_back(id);
     } else {
       ++left_out;

@@ -1,7 +1,6 @@
 #include "cli/run_command.h"
 
 #include <array>
-#include <charconv>
 #include <cstdio>
 #include <memory>
 
@@ -18,6 +17,7 @@
 #include "dataset/configuration_json.h"
 #include "dataset/lines.h"
 #include "generator/rejection.h"
+#include "rewording/annotate.h"
 
 namespace unietp {
 namespace {
@@ -85,18 +85,6 @@ Exit print_report(const RunReport& report, const RunCommand& command, spdlog::lo
   return report.unfilled.empty() ? Exit::Ok : Exit::Wrong;
 }
 
-/// "2/8" as part 2 of 8. Errors: Usage.
-Result<Shard> shard_of(const std::string& text) {
-  Shard shard;
-  const char* const end = text.data() + text.size();
-  const auto number = std::from_chars(text.data(), end, shard.number);
-  const bool slash = number.ec == std::errc{} && number.ptr != end && *number.ptr == '/';
-  const auto of = slash ? std::from_chars(number.ptr + 1, end, shard.of) : number;
-  if (!slash || of.ec != std::errc{} || of.ptr != end || shard.number < 1 || shard.number > shard.of)
-    return Error{Error::Kind::Usage, "--shard", {}, "expected K/N with 1 <= K <= N, such as 2/8, not \"" + text + "\""};
-  return shard;
-}
-
 }  // namespace
 
 Result<RunConfiguration> settings_in(const std::filesystem::path& file, CommandLine& program) {
@@ -140,7 +128,7 @@ Exit make_data_set(RunCommand& command, const Resources& resources, const Comman
     command.configuration.sense = *sense;
   }
   if (!command.shard.empty()) {
-    const auto shard = shard_of(command.shard);
+    const auto shard = parse_shard(command.shard);
     if (!shard) return refuse(shard.error());
     command.run.shard = *shard;
   }
@@ -148,7 +136,7 @@ Exit make_data_set(RunCommand& command, const Resources& resources, const Comman
   if (!phrasings) return refuse(phrasings.error());
   if (*phrasings != Phrasings::Everyday) command.configuration.phrasings = *phrasings;
   command.configuration.english = english_of(command.writer).value_or(command.configuration.english);
-  const bool by_grammar = command.writer.writer == "grammar";
+  const bool by_grammar = writer_named(command.writer.writer) == Writer::Grammar;
   if (!by_grammar && !command.run.shard.is_whole())
     return refuse({Error::Kind::Usage,
                    "--writer",

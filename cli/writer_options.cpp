@@ -171,10 +171,7 @@ Result<Phrasings> check_writer(const WriterChoice& choice) {
     return option_error("--writer batch", "needs --batch, the folder for request and answer files");
   if (!choice.english.empty() && !english_of(choice))
     return unknown_name_error("--english", choice.english, {"us", "gb"});
-  if (choice.phrasings == "everyday") return Phrasings::Everyday;
-  if (choice.phrasings == "all") return Phrasings::All;
-  if (choice.phrasings == "training") return Phrasings::Training;
-  if (choice.phrasings == "benchmark") return Phrasings::Benchmark;
+  if (const auto phrasings = phrasings_named(choice.phrasings)) return *phrasings;
   return unknown_name_error("--phrasings", choice.phrasings, {"everyday", "all", "training", "benchmark"});
 }
 

@@ -47,6 +47,13 @@ std::string_view name_of(Phrasings phrasings) {
   return kNames[static_cast<std::size_t>(phrasings)];
 }
 
+std::optional<Phrasings> phrasings_named(std::string_view name) {
+  for (const Phrasings set : kPhrasings) {
+    if (name_of(set) == name) return set;
+  }
+  return std::nullopt;
+}
+
 std::string_view name_of(English english) { return english == English::Us ? "us" : "gb"; }
 
 std::string_view name_of_least(Grade grade) { return grade == Grade::Senseless ? "any" : name_of(grade); }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -28,6 +29,8 @@ std::string_view name_of(HomeSource source);  // "benchmark"
 /// In the order of the enumeration.
 inline constexpr std::array kPhrasings{Phrasings::Everyday, Phrasings::All, Phrasings::Training, Phrasings::Benchmark};
 std::string_view name_of(Phrasings phrasings);  // "training"
+/// nullopt for another word.
+std::optional<Phrasings> phrasings_named(std::string_view name);
 
 /// In the order of the enumeration.
 inline constexpr std::array kEnglishes{English::Us, English::Gb};

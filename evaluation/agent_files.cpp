@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "core/evaluation_limits.h"
 #include "core/file_digest.h"
 #include "core/in_quotes.h"
 #include "core/text.h"
@@ -14,8 +15,6 @@ namespace unietp {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::size_t kMostFiles = 10'000;  // of a package
 
 Result<Done> add_file(std::map<std::string, std::string>& files, const fs::path& path, const std::string& name) {
   const bool plain = std::none_of(name.begin(), name.end(), [](char c) {
@@ -35,11 +34,11 @@ Result<Done> add_package(std::map<std::string, std::string>& files, const fs::pa
   for (fs::recursive_directory_iterator entry(base / package, failed), end; !failed && entry != end;
        entry.increment(failed)) {
     if (entry->path().extension() != ".py" || !entry->is_regular_file(failed)) continue;
-    if (files.size() >= kMostFiles)
+    if (files.size() >= limits::kPackageFiles)
       return Error{Error::Kind::Usage,
                    "--policy",
                    {},
-                   "the package " + package + " has more than " + std::to_string(kMostFiles) + " files"};
+                   "the package " + package + " has more than " + std::to_string(limits::kPackageFiles) + " files"};
     const std::string name = entry->path().lexically_relative(base).generic_string();
     if (auto done = add_file(files, entry->path(), name); !done) return done;
   }

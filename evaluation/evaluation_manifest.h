@@ -14,6 +14,8 @@ namespace unietp {
 
 /// The manifest's name in an evaluation's folder.
 inline constexpr const char* kEvaluationManifest = "manifest.json";
+/// The backend that is the program's own physics. Every other one is called as its simulator.
+inline constexpr const char* kOwnBackend = "unietp";
 
 /// Which data set was evaluated on.
 struct EvaluatedDataset {
@@ -74,7 +76,7 @@ struct EvaluationSetup {
   std::string program_version, program_build;  // core/version.h
   std::string program_digest;                  // SHA-256 of the program's file; "" in runs that do not tell
   std::string knowledge_digest;                // of tables, profiles, layouts and templates
-  std::string backend = "unietp";              // whose physics and pictures
+  std::string backend = kOwnBackend;           // whose physics and pictures
   EvaluatedDataset dataset;
   EvaluatedAgent agent;
   EpisodeSelection selection;

@@ -11,6 +11,7 @@
 #include "core/unknown_name.h"
 #include "evaluation/child_process.h"
 #include "evaluation/evaluation_asset.h"
+#include "evaluation/evaluation_manifest.h"
 #include "record/record_fields.h"
 #include "scene/json_parse.h"
 #include "scene/node_json.h"
@@ -192,7 +193,7 @@ Result<std::vector<std::string>> simulator_command(const std::string& backend, c
   const auto& names = simulator_backends();
   if (std::find(names.begin(), names.end(), backend) == names.end()) {
     auto accepted = names;
-    accepted.insert(accepted.begin(), "unietp");
+    accepted.insert(accepted.begin(), kOwnBackend);
     return unknown_name_error("--backend", backend, accepted);
   }
   const std::string program = "act_" + backend + ".py";

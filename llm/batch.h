@@ -6,16 +6,15 @@
 #include <string_view>
 #include <vector>
 
+#include "core/program_limits.h"
 #include "core/result.h"
 #include "llm/ask.h"
 
 namespace unietp {
 
-/// Files of a provider's batch service: JSON lines, one request or answer a line, each answer with
-/// the `custom_id` of its request. A request's id is its digest, so that equal requests are one and answers find their
-/// requests in any later run.
-inline constexpr std::size_t kBatchLines = 50'000;                  // requests in a file, the provider's limit
-inline constexpr std::size_t kBatchBytes = std::size_t{190} << 20;  // of a file; the provider's limit is 200 MB
+// Files of a provider's batch service: JSON lines, one request or answer a line, each answer with the `custom_id` of
+// its request. A request's id is its digest, so that equal requests are one and answers find their requests in any
+// later run.
 
 /// The endpoint for the digests of batch requests, which name a path and no host.
 LlmEndpoint batch_endpoint(std::string model);
@@ -27,8 +26,9 @@ std::string batch_line(const LlmEndpoint& endpoint, const LlmRequest& request);
 std::string id_of_batch_line(std::string_view line);
 
 /// Lines cut into files of at most so many lines and bytes.
-std::vector<std::string> batch_files(const std::vector<std::string>& lines, std::size_t most_lines = kBatchLines,
-                                     std::size_t most_bytes = kBatchBytes);
+std::vector<std::string> batch_files(const std::vector<std::string>& lines,
+                                     std::size_t most_lines = limits::kBatchLines,
+                                     std::size_t most_bytes = limits::kBatchBytes);
 
 /// Answers by request id, in whatever order and files they came. An answer wins over a failure for the same request.
 struct BatchAnswers {

@@ -17,14 +17,18 @@ bool has_need(const ActionInfo& action, Kind kind) {
                      [kind](const ActionNeed& need) { return need.kind == kind; });
 }
 
-/// What has to be so of the thing and the hand; where the thing is, is asked apart.
-std::vector<std::string> needs_of(const ActionInfo& action) {
+}  // namespace
+
+std::vector<std::string> own_needs(const ActionInfo& action) {
+  // What is in one of the states of a group is in another one of them: no negation for planners.
+  const bool in_group = has_need(action, Kind::Varies) || action.starts_tool;
   std::vector<std::string> needs;
   for (const ActionNeed& need : action.needs) {
+    if (need.rule != ActionRule::Always) continue;
     if (need.kind == Kind::Affordance) needs.push_back("(" + std::string(need.affordance) + " ?t)");
     if (need.kind == Kind::Is) needs.push_back(fact(need.state));
-    if (need.kind == Kind::IsNot && !has_need(action, Kind::Varies)) needs.push_back("(not " + fact(need.state) + ")");
-    if (need.kind == Kind::IsNot && has_need(action, Kind::Varies)) needs.push_back(fact(*opposite_of(need.state)));
+    if (need.kind == Kind::IsNot && !in_group) needs.push_back("(not " + fact(need.state) + ")");
+    if (need.kind == Kind::IsNot && in_group) needs.push_back(fact(*opposite_of(need.state)));
     if (need.kind == Kind::HandFree) needs.emplace_back("(hand-empty)");
     if (need.kind == Kind::Standing) needs.emplace_back("(not (seated))");
     if (need.kind == Kind::Unloaded) needs.emplace_back("(forall (?w - movable) (or (= ?w ?t) (not (rests ?w ?t))))");
@@ -32,7 +36,15 @@ std::vector<std::string> needs_of(const ActionInfo& action) {
   return needs;
 }
 
-std::vector<std::string> effects_of(const ActionInfo& action) {
+std::vector<std::string> needs_by_rule(const ActionInfo& action, ActionRule rule) {
+  std::vector<std::string> needs;
+  for (const ActionNeed& need : action.needs) {
+    if (need.rule == rule) needs.push_back("(not " + fact(need.state) + ")");
+  }
+  return needs;
+}
+
+std::vector<std::string> own_effects(const ActionInfo& action) {
   std::vector<std::string> effects;
   for (const ActionChange& change : action.changes) {
     const auto text = becomes(change.state, "?t");
@@ -42,8 +54,6 @@ std::vector<std::string> effects_of(const ActionInfo& action) {
   }
   return effects;
 }
-
-}  // namespace
 
 std::vector<ActionText> direct_actions(const ActionSet& offered) {
   std::vector<ActionText> actions;
@@ -58,9 +68,9 @@ std::vector<ActionText> direct_actions(const ActionSet& offered) {
     }
     if (action.changes.empty() || action.starts_tool) continue;
     const auto add = [&](const std::string& suffix, const char* type, const std::vector<std::string>& where) {
-      auto needs = needs_of(action);
+      auto needs = own_needs(action);
       needs.insert(needs.end(), where.begin(), where.end());
-      actions.push_back({name + suffix, std::string("?t - ") + type, std::move(needs), effects_of(action)});
+      actions.push_back({name + suffix, std::string("?t - ") + type, std::move(needs), own_effects(action)});
     };
     if (!has_need(action, Kind::InHand)) add("", "thing", {"(near ?t)", "(free ?t)"});
     if (has_need(action, Kind::InHand) || has_need(action, Kind::ReachOrInHand)) add("-held", "movable", {"(held ?t)"});

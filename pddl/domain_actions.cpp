@@ -95,6 +95,8 @@ const Lines kComesToPlace = {
     for_all("?w - movable ?r - room", when("(rests ?w ?x) (in_room ?t ?r)", "(in_room ?w ?r)")),
 };
 
+const Lines kInReach = {"(near ?t)", "(free ?t)"};
+
 Lines joined(Lines first, const Lines& second) {
   first.insert(first.end(), second.begin(), second.end());
   return first;
@@ -161,35 +163,39 @@ class ActionWriter {
          for_all("?w - movable", when("(rests ?w ?x)", "(in_room ?w ?r)"))});
   }
 
+  /// Opening, closing and switching: the needs and changes of their rows, and what the tool then does.
   void add_doors() {
-    Lines opens = {becomes(Predicate::Open, "?t"),
-                   for_all("?w - thing", when("(shut ?w ?t)", "(not (shut ?w ?t)) (free ?w)"))};
+    const ActionInfo& opening = info(ActionType::Open);
+    auto opens = own_effects(opening);
+    opens.push_back(for_all("?w - thing", when("(shut ?w ?t)", "(not (shut ?w ?t)) (free ?w)")));
     run_on_content(processes_, {false, {}, false}, opens);
     // No action bears the name of a predicate: some tools keep one list of names.
     add(ActionType::Open, "-shut", "?t - thing",
-        {"(openable ?t)", "(closed ?t)", "(near ?t)", "(free ?t)", "(not (power_on ?t))"}, std::move(opens));
-    Lines closes = {becomes(Predicate::Closed, "?t"),
-                    for_all("?w - thing", when("(inside ?w ?t) (free ?w)", "(shut ?w ?t) (not (free ?w))"))};
+        joined(joined(own_needs(opening), kInReach), needs_by_rule(opening, ActionRule::OpenNeedsPowerOff)),
+        std::move(opens));
+    const ActionInfo& closing = info(ActionType::Close);
+    auto closes = own_effects(closing);
+    closes.push_back(for_all("?w - thing", when("(inside ?w ?t) (free ?w)", "(shut ?w ?t) (not (free ?w))")));
     run_on_content(processes_, {true, {}, false}, closes);
-    add(ActionType::Close, "", "?t - thing", {"(openable ?t)", "(open ?t)", "(near ?t)", "(free ?t)"},
-        std::move(closes));
+    add(ActionType::Close, "", "?t - thing", joined(own_needs(closing), kInReach), std::move(closes));
   }
 
   void add_power() {
-    Lines on = {becomes(Predicate::PowerOn, "?t")}, off = {becomes(Predicate::PowerOff, "?t")};
+    const ActionInfo &turning_on = info(ActionType::TurnOn), &turning_off = info(ActionType::TurnOff);
+    auto on = own_effects(turning_on), off = own_effects(turning_off);
     run_on_content(processes_, {{}, true, false}, on);
     run_on_content(processes_, {{}, false, false}, off);
-    const auto plugged = [this](Lines needs) {
-      return with(has(ActionType::PlugIn), std::move(needs), "(not (unplugged ?t))");
+    const auto turns_on = [&](const char* suffix, const char* parameters, const Lines& needs) {
+      auto all = joined(own_needs(turning_on), needs);
+      if (has(ActionType::PlugIn)) all = joined(std::move(all), needs_by_rule(turning_on, ActionRule::PowerNeedsPlug));
+      add(ActionType::TurnOn, suffix, parameters, std::move(all), on);
     };
-    add(ActionType::TurnOn, "", "?t - thing",
-        plugged({"(power_off ?t)", "(near ?t)", "(free ?t)", "(not (shuts-to-run ?t))"}), on);
-    add(ActionType::TurnOn, "-shut", "?t - thing",
-        plugged({"(power_off ?t)", "(near ?t)", "(free ?t)", "(shuts-to-run ?t)", "(not (open ?t))"}), on);
-    add(ActionType::TurnOn, "-held", "?t - movable",
-        plugged({"(power_off ?t)", "(held ?t)", "(not (shuts-to-run ?t))"}), on);
-    add(ActionType::TurnOff, "", "?t - thing", {"(power_on ?t)", "(near ?t)", "(free ?t)"}, off);
-    add(ActionType::TurnOff, "-held", "?t - movable", {"(power_on ?t)", "(held ?t)"}, off);
+    turns_on("", "?t - thing", joined(kInReach, {"(not (shuts-to-run ?t))"}));
+    turns_on("-shut", "?t - thing",
+             joined(joined(kInReach, {"(shuts-to-run ?t)"}), needs_by_rule(turning_on, ActionRule::PowerNeedsClosed)));
+    turns_on("-held", "?t - movable", {"(held ?t)", "(not (shuts-to-run ?t))"});
+    add(ActionType::TurnOff, "", "?t - thing", joined(own_needs(turning_off), kInReach), off);
+    add(ActionType::TurnOff, "-held", "?t - movable", joined(own_needs(turning_off), {"(held ?t)"}), off);
   }
 
   void add_contents() {

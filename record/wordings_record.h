@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
@@ -16,10 +17,17 @@ struct WordingRecord {
   std::string fallback;             // why the grammar wrote the text instead of a model; "" otherwise
 };
 
+/// What the wordings of an episode with a name of its own are. By name, as they are looked at in this order.
+enum class WordingKind : std::uint8_t { Complex, Contrast, Direct, Referring };
+std::string_view name_of(WordingKind kind);  // "direct"
+
+/// The style of direct wordings, and of most instructions (docs/instructions.md).
+inline constexpr std::string_view kDirectStyle = "direct";
+
 /// A line of wordings.jsonl.
 struct WordingsRecord {
   std::string task, pair;
-  std::map<std::string, WordingRecord> wordings;  // "direct", and "referring", "complex", "contrast" if they exist
+  std::map<WordingKind, WordingRecord> wordings;  // Direct, and the other kinds if they exist
   std::vector<WordingRecord> others;              // further ones of the task's goal
 };
 /// Errors: Parse with line and column; Schema with line and JSON pointer.

@@ -12,21 +12,11 @@
 namespace unietp {
 namespace {
 
-constexpr std::array<std::string_view, 3> kJudgments{"accept", "reject", "edit"};
-
 Review read_one(JsonReader& reader, const JsonAt& at) {
   JsonFields fields(reader, at);
   Review review;
   if (const auto f = fields.required("task")) review.task = reader.plain_name(*f);
-  if (const auto f = fields.required("verdict")) {
-    const auto name = reader.text(*f);
-    std::size_t i = 0;
-    while (i < kJudgments.size() && kJudgments[i] != name) ++i;
-    if (i == kJudgments.size())
-      reader.unknown_name(*f, "verdict", {kJudgments.begin(), kJudgments.end()});
-    else
-      review.judgment = static_cast<Judgment>(i);
-  }
+  if (const auto f = fields.required("verdict")) review.judgment = read_judgment(reader, *f);
   if (const auto f = fields.required("instruction")) review.instruction = reader.text(*f);
   const auto text = fields.optional("text");
   if (text) review.text = trim(reader.text(*text));
@@ -45,8 +35,6 @@ Review read_one(JsonReader& reader, const JsonAt& at) {
 }
 
 }  // namespace
-
-std::string_view name_of(Judgment judgment) { return kJudgments[static_cast<std::size_t>(judgment)]; }
 
 Result<std::vector<Review>> read_reviews(std::string_view where, std::string_view text) {
   const auto json = parse_json(where, text);

@@ -5,12 +5,9 @@
 #include <vector>
 
 #include "core/result.h"
+#include "record/review_mark_record.h"
 
 namespace unietp {
-
-/// The verdict of a reviewer.
-enum class Judgment { Accept, Reject, Edit };
-std::string_view name_of(Judgment judgment);  // "accept"
 
 /// A person's review of a task.
 struct Review {

@@ -42,8 +42,7 @@ Result<Marks> read_marks(const fs::path& folder) {
 }
 
 ReviewMarkRecord mark_of(const Review& review) {
-  return {review.task, std::string(name_of(review.judgment)),
-          review.judgment == Judgment::Edit ? review.instruction : "", review.comment};
+  return {review.task, review.judgment, review.judgment == Judgment::Edit ? review.instruction : "", review.comment};
 }
 
 RejectionEntry rejection_of(const TaskRecord& task, const Review& review) {

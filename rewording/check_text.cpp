@@ -62,18 +62,18 @@ std::vector<Problem> check_text(const StatedGoal& stated, const Backend& backend
       found(ProblemKind::TextStyle,
             {"it says that it shows " + listed(*stated.phenomena) + "; it shows " + listed(shown)});
   }
-  if (std::none_of(kPhrasings.begin(), kPhrasings.end(),
-                   [&](const Phrasings set) { return name_of(set) == stated.phrasings; }))
+  const auto phrasings = phrasings_named(stated.phrasings);
+  if (!phrasings)
     found(ProblemKind::TextPhrasing,
           {"the manifest names a set of phrasings, " + stated.phrasings + ", that is not known"});
   // "I want to watch the news." is no pattern of the grammar: both sets ask so.
   const bool whole = std::any_of(nouns.phrases().begin(), nouns.phrases().end(), [&](const auto& one) {
     return one.second.use == AliasKind::Request && one.second.text == stated.text;
   });
-  if (by_grammar && !whole && (stated.phrasings == "training" || stated.phrasings == "benchmark")) {
-    const auto own = name_of(phrasings_of(stated.text, nouns));
-    if (own != stated.phrasings)
-      found(ProblemKind::TextPhrasing, {"its sentence pattern belongs to " + std::string(own) + ", not to " +
+  if (by_grammar && !whole && (phrasings == Phrasings::Training || phrasings == Phrasings::Benchmark)) {
+    const auto own = phrasings_of(stated.text, nouns);
+    if (own != phrasings)
+      found(ProblemKind::TextPhrasing, {"its sentence pattern belongs to " + std::string(name_of(own)) + ", not to " +
                                         stated.phrasings + " as the manifest says"});
   }
   return problems;

@@ -70,19 +70,24 @@ RejectionEntry written_again(const RejectionRecord& rejection) {
 Result<WordingsEntry> written_again(const WordingsRecord& wordings) {
   WordingsEntry entry;
   entry.task = wordings.task;
-  for (const auto& [name, wording] : wordings.wordings) {
+  for (const auto& [kind, wording] : wordings.wordings) {
     auto instruction = instruction_of(wording);
     if (!instruction) return instruction.error();
-    if (name == "direct") {
-      entry.direct = std::move(*instruction);
-    } else if (name == "complex") {
-      entry.complex = std::move(*instruction);
-    } else if (name == "contrast") {
-      entry.contrast = std::move(*instruction);
-      entry.contrast_goal = wording.goal;
-    } else {
-      entry.referring = std::move(*instruction);
-      entry.referring_goal = wording.goal;
+    switch (kind) {
+      case WordingKind::Direct:
+        entry.direct = std::move(*instruction);
+        break;
+      case WordingKind::Complex:
+        entry.complex = std::move(*instruction);
+        break;
+      case WordingKind::Contrast:
+        entry.contrast = std::move(*instruction);
+        entry.contrast_goal = wording.goal;
+        break;
+      case WordingKind::Referring:
+        entry.referring = std::move(*instruction);
+        entry.referring_goal = wording.goal;
+        break;
     }
   }
   for (const WordingRecord& wording : wordings.others) {
@@ -94,7 +99,7 @@ Result<WordingsEntry> written_again(const WordingsRecord& wordings) {
 }
 
 ReviewMarkEntry written_again(const ReviewMarkRecord& mark) {
-  return {mark.task, mark.verdict, mark.before, mark.comment};
+  return {mark.task, std::string(name_of(mark.verdict)), mark.before, mark.comment};
 }
 
 std::optional<WritingEntry> written_again(const std::optional<RecordedWriting>& writing) {

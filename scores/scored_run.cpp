@@ -136,7 +136,7 @@ struct Scorer {
     const bool in_simulator = std::any_of(record.steps.begin(), record.steps.end(), [](const EpisodeStep& step) {
       return std::any_of(step.actions.begin(), step.actions.end(), [](const auto& one) { return one.simulator; });
     });
-    if (in_simulator && manifest.setup.backend == "unietp")
+    if (in_simulator && manifest.setup.backend == kOwnBackend)
       return Error{Error::Kind::Schema,
                    std::string(kEpisodesFile) + "#/steps",
                    {line, 0},

@@ -1,63 +1,47 @@
 #include "sense/action_roles.h"
 
 namespace unietp {
+namespace {
+
+using P = Predicate;
+
+constexpr StateAction kStateActions[] = {
+    {P::Open, "open", {"open"}},
+    {P::Closed, "close", {"close"}},
+    {P::PowerOn, "switch_on", {"switch on"}},
+    {P::PowerOff, "switch_off", {"switch off"}},
+    {P::Clean, "wash", {"wash", "clean"}},
+    {P::Dirty, "soil", {"soil"}},
+    {P::Hot, "heat", {"heat"}},
+    {P::Cool, "cool", {"cool"}},
+    {P::Cooked, "cook", {"cook"}},
+    {P::Burnt, "burn", {"burn"}},
+    {P::Frozen, "freeze", {"freeze"}},
+    {P::Sliced, "slice", {"slice"}},
+    {P::Empty, "empty", {"empty"}},
+    {P::Soaked, "soak", {"soak"}},
+    {P::Dry, "dry", {"dry"}},
+    {P::UsedUp, "use_up", {"use up"}},
+    {P::Broken, "break", {"break"}},
+    {P::Folded, "fold", {"fold"}},
+    {P::Unfolded, "unfold", {"unfold"}},
+    {P::PluggedIn, "plug_in", {"plug in"}},
+    {P::Unplugged, "unplug", {"unplug"}},
+    {P::Held, "hold", {"pick up", "hold"}},
+    {P::SatOn, "sit", {"sit on"}},
+    {P::LainOn, "lie", {"lie on"}},
+    {P::Read, "read", {"read"}},
+};
+
+}  // namespace
+
+std::span<const StateAction> state_actions() { return kStateActions; }
 
 std::string_view action_of(Predicate predicate) {
-  using enum Predicate;
-  switch (predicate) {
-    case Open:
-      return "open";
-    case Closed:
-      return "close";
-    case PowerOn:
-      return "switch_on";
-    case PowerOff:
-      return "switch_off";
-    case Clean:
-      return "wash";
-    case Dirty:
-      return "soil";
-    case Hot:
-      return "heat";
-    case Predicate::Cool:
-      return "cool";
-    case Cooked:
-      return "cook";
-    case Burnt:
-      return "burn";
-    case Frozen:
-      return "freeze";
-    case Sliced:
-      return "slice";
-    case Empty:
-      return "empty";
-    case Soaked:
-      return "soak";
-    case Dry:
-      return "dry";
-    case UsedUp:
-      return "use_up";
-    case Broken:
-      return "break";
-    case Folded:
-      return "fold";
-    case Unfolded:
-      return "unfold";
-    case PluggedIn:
-      return "plug_in";
-    case Unplugged:
-      return "unplug";
-    case Held:
-      return "hold";
-    case SatOn:
-      return "sit";
-    case LainOn:
-      return "lie";
-    case Predicate::Read:
-      return "read";
-    default:
-      return "";
+  for (const StateAction& row : kStateActions) {
+    if (row.predicate == predicate) return row.role;
   }
+  return "";
 }
 
 }  // namespace unietp

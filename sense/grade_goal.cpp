@@ -143,7 +143,7 @@ class GoalGrader {
 
   /// The kind of a substance; the substance itself for the liquids that have roles of their own.
   std::string substance(const std::string& symbol) const {
-    if (symbol == "water" || symbol == "coffee" || symbol == "wine") return symbol;
+    if (std::find(kLiquids.begin(), kLiquids.end(), symbol) != kLiquids.end()) return symbol;
     return words_.of_word(symbol).value_or("");
   }
 

@@ -8,6 +8,7 @@
 
 #include "core/files.h"
 #include "core/text.h"
+#include "sense/action_roles.h"
 #include "sense/items.h"
 
 namespace unietp {
@@ -30,7 +31,6 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kDeeds{{
                                                                                 {"Plug out ", "unplug"},
                                                                                 {"Sit on ", "sit"},
                                                                                 {"Lie on ", "lie"}}};
-constexpr std::array<std::string_view, 3> kLiquids{"water", "coffee", "wine"};
 
 struct ProgramAction {
   std::string thing;  // kind

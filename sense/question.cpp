@@ -8,26 +8,11 @@
 #include "core/sort_unique.h"
 #include "core/text.h"
 #include "core/unknown_name.h"
+#include "sense/action_roles.h"
 #include "sense/word_kinds.h"
 
 namespace unietp {
 namespace {
-
-/// A verb whose object comes to be in a state.
-struct StateVerb {
-  std::string_view words;
-  Predicate predicate;
-};
-constexpr std::array<StateVerb, 27> kStateVerbs{
-    {{"heat", Predicate::Hot},      {"cool", Predicate::Cool},         {"cook", Predicate::Cooked},
-     {"burn", Predicate::Burnt},    {"freeze", Predicate::Frozen},     {"slice", Predicate::Sliced},
-     {"wash", Predicate::Clean},    {"clean", Predicate::Clean},       {"soak", Predicate::Soaked},
-     {"dry", Predicate::Dry},       {"empty", Predicate::Empty},       {"open", Predicate::Open},
-     {"close", Predicate::Closed},  {"switch on", Predicate::PowerOn}, {"switch off", Predicate::PowerOff},
-     {"read", Predicate::Read},     {"fold", Predicate::Folded},       {"unfold", Predicate::Unfolded},
-     {"break", Predicate::Broken},  {"plug in", Predicate::PluggedIn}, {"unplug", Predicate::Unplugged},
-     {"use up", Predicate::UsedUp}, {"pick up", Predicate::Held},      {"hold", Predicate::Held},
-     {"sit on", Predicate::SatOn},  {"lie on", Predicate::LainOn},     {"soil", Predicate::Dirty}}};
 
 /// A verb with a preposition, and the relation or state with a symbol that it means.
 struct LinkVerb {
@@ -54,7 +39,11 @@ Error usage(std::string message) { return {Error::Kind::Usage, "question", {}, s
 
 std::vector<std::string> verbs() {
   std::vector<std::string> all{"dust", "throw away"};
-  for (const auto& verb : kStateVerbs) all.emplace_back(verb.words);
+  for (const StateAction& action : state_actions()) {
+    for (const auto verb : action.verbs) {
+      if (!verb.empty()) all.emplace_back(verb);
+    }
+  }
   for (const auto& verb : kLinkVerbs) all.emplace_back(verb.words);
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
@@ -149,7 +138,7 @@ Result<Formula> linked(const LinkVerb& verb, std::string_view rest, std::size_t 
 }
 
 /// "heat Potato in Microwave": the thing is put there, and then comes to be in the state.
-std::optional<Result<Formula>> done_at(const StateVerb& verb, std::string_view rest, const Knowledge& knowledge) {
+std::optional<Result<Formula>> done_at(Predicate state, std::string_view rest, const Knowledge& knowledge) {
   for (const auto& [between, relation] : {std::pair<std::string_view, Predicate>{" in ", Predicate::Inside},
                                           std::pair<std::string_view, Predicate>{" on ", Predicate::On}}) {
     const auto at = lower(rest).find(between);
@@ -157,7 +146,7 @@ std::optional<Result<Formula>> done_at(const StateVerb& verb, std::string_view r
     auto place = related(relation, rest.substr(0, at), rest.substr(at + between.size()), knowledge);
     if (!place) return place;
     Formula& there = place->children.front().children.front();  // below both quantifiers: at-end
-    there = conjunction({there, at_end(atom(verb.predicate, {"a"}))});
+    there = conjunction({there, at_end(atom(state, {"a"}))});
     return place;
   }
   return std::nullopt;
@@ -176,11 +165,13 @@ Result<Formula> read_one(std::string_view text, const Knowledge& knowledge) {
     if (at != std::string::npos) return linked(verb, *rest, at, knowledge);
   }
   if (!accepted.empty()) return usage("expected one of " + join(accepted, ", ") + " in \"" + std::string(text) + "\"");
-  for (const auto& verb : kStateVerbs) {
-    const auto rest = after(text, verb.words);
-    if (!rest) continue;
-    if (auto there = done_at(verb, *rest, knowledge)) return std::move(*there);
-    return stated(verb.predicate, *rest, knowledge);
+  for (const StateAction& action : state_actions()) {
+    for (const auto verb : action.verbs) {
+      const auto rest = verb.empty() ? std::nullopt : after(text, verb);
+      if (!rest) continue;
+      if (auto there = done_at(action.predicate, *rest, knowledge)) return std::move(*there);
+      return stated(action.predicate, *rest, knowledge);
+    }
   }
   return unknown_name_error("question", split(text, ' ').front(), verbs());
 }

@@ -65,21 +65,15 @@ int side_of(const std::optional<std::uint64_t>& wanted, int own) {
   return wanted ? static_cast<int>(std::min<std::uint64_t>(*wanted, std::numeric_limits<int>::max())) : own;
 }
 
-Result<std::string> channel_png(const Channels& channels, std::string_view channel) {
-  if (channel == "depth") return depth_png(channels);
-  return channel == "normals" ? normals_png(channels) : instances_png(channels);
-}
-
 MethodResult view_json(const Environment& environment, const View& view) {
-  constexpr std::array<std::string_view, 4> kChannels{"color", "depth", "normals", "instances"};
   const auto viewpoint =
       std::find_if(kViewpoints.begin(), kViewpoints.end(), [&](Viewpoint one) { return name_of(one) == view.camera; });
   if (viewpoint == kViewpoints.end()) return wrong_parameters("/camera: expected \"agent\", \"behind\" or \"above\"");
-  if (std::find(kChannels.begin(), kChannels.end(), view.channel) == kChannels.end())
-    return wrong_parameters("/channel: expected \"color\", \"depth\", \"normals\" or \"instances\"");
+  const auto channel = channel_named(view.channel);
+  if (!channel) return wrong_parameters("/channel: expected \"color\", \"depth\", \"normals\" or \"instances\"");
   Json answer{{"width", view.width}, {"height", view.height}};
   const auto finish = [&](const Result<std::string>& bytes) { answer["png"] = bytes ? base64(*bytes) : ""; };
-  if (view.channel == "color") {
+  if (*channel == Channel::Color) {
     const auto picture = environment.render(view.width, view.height, *viewpoint);
     if (!picture) return wrong_parameters(picture.error().message);
     finish(png(picture->width, picture->height, picture->rgb));
@@ -87,8 +81,8 @@ MethodResult view_json(const Environment& environment, const View& view) {
   }
   const auto channels = environment.channels(view.width, view.height, *viewpoint);
   if (!channels) return wrong_parameters(channels.error().message);
-  finish(channel_png(*channels, view.channel));
-  if (view.channel != "instances") return answer;
+  finish(channel_png(*channels, *channel));
+  if (*channel != Channel::Instances) return answer;
   Json ids = Json::array({""});
   for (const Node& node : environment.scene().nodes) ids.push_back(node.id);
   if (*viewpoint != Viewpoint::Agent) ids.push_back("agent");
@@ -235,10 +229,10 @@ MethodResult render_method(const MethodCall& call) {
     const Observation& seen = session.environment->observe();
     view.width = side_of(width, seen.image_width);
     view.height = side_of(height, seen.image_height);
-    const bool own = view.camera == "agent" && view.channel == "color" && !width && !height;
+    const bool own = view.camera == "agent" && channel_named(view.channel) == Channel::Color && !width && !height;
     if (boxes && !own) return wrong_parameters("\"boxes\" are those of the agent's picture in its own size");
     if (own) return picture_json(*session.environment, boxes);
-    if ((view.camera != "agent" || view.channel == "instances") && !call.options.privileged)
+    if ((view.camera != "agent" || channel_named(view.channel) == Channel::Instances) && !call.options.privileged)
       return CallError{CallFailure::NotAllowed, "other cameras and \"instances\" need a server with --privileged"};
     return view_json(*session.environment, view);
   });

@@ -10,6 +10,7 @@
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
 
+#include "core/program_limits.h"
 #include "serve/http_origin.h"
 
 namespace unietp {
@@ -22,7 +23,6 @@ using boost::asio::ip::tcp;
 using Code = boost::system::error_code;
 using Question = http::request<http::string_body>;
 
-constexpr std::uint32_t kHeaderBytes = 16 << 10;
 constexpr std::chrono::seconds kPatience{30};  // for a request to arrive whole, or an answer to leave
 constexpr std::chrono::seconds kQuiet{120};    // without a sign of life from the other end of a WebSocket
 
@@ -99,7 +99,7 @@ class Visit : public std::enable_shared_from_this<Visit> {
 
   void read() {
     parser_.emplace();
-    parser_->header_limit(kHeaderBytes);
+    parser_->header_limit(limits::kHeaderBytes);
     parser_->body_limit((*shared_)->options.message_bytes);
     stream_.expires_after(kPatience);
     http::async_read(stream_, incoming_, *parser_,
@@ -166,7 +166,7 @@ class Visit : public std::enable_shared_from_this<Visit> {
   /// Reads what is still on its way, as otherwise the system tells the other end of an error before it has the answer.
   void drain(std::size_t at_most) {
     incoming_.clear();
-    stream_.async_read_some(incoming_.prepare(kHeaderBytes),
+    stream_.async_read_some(incoming_.prepare(limits::kHeaderBytes),
                             [self = shared_from_this(), at_most](Code code, std::size_t count) {
                               if (!code && count < at_most) self->drain(at_most - count);
                             });

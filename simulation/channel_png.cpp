@@ -1,5 +1,7 @@
 #include "simulation/channel_png.h"
 
+#include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -8,6 +10,17 @@
 #include "core/png.h"
 
 namespace unietp {
+
+std::string_view name_of(Channel channel) {
+  constexpr std::array<std::string_view, kChannels.size()> kNames{"color", "depth", "normals", "instances"};
+  return kNames[static_cast<std::size_t>(channel)];
+}
+
+std::optional<Channel> channel_named(std::string_view name) {
+  const auto* const found =
+      std::find_if(kChannels.begin(), kChannels.end(), [&](Channel one) { return name_of(one) == name; });
+  return found == kChannels.end() ? std::nullopt : std::optional(*found);
+}
 
 Result<std::string> depth_png(const Channels& channels) {
   constexpr double kMost = std::numeric_limits<std::uint16_t>::max();
@@ -32,6 +45,12 @@ Result<std::string> instances_png(const Channels& channels) {
   numbers.reserve(channels.node.size());
   for (const std::int32_t node : channels.node) numbers.push_back(static_cast<std::uint16_t>(node + 1));
   return gray_png(channels.width, channels.height, numbers);
+}
+
+Result<std::string> channel_png(const Channels& channels, Channel channel) {
+  assert(channel != Channel::Color);
+  if (channel == Channel::Depth) return depth_png(channels);
+  return channel == Channel::Normals ? normals_png(channels) : instances_png(channels);
 }
 
 }  // namespace unietp

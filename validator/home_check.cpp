@@ -7,6 +7,7 @@
 #include "core/files.h"
 #include "core/share_work.h"
 #include "record/home_cache.h"
+#include "record/recorded_words.h"
 #include "scene/scene_json.h"
 
 namespace unietp {
@@ -21,7 +22,8 @@ std::optional<std::string> home_fault(const std::string& name, const std::string
     return "is not one of the homes that the configuration was given";
   }
   const auto known = options.known_homes.find(name);
-  if (manifest.run.homes == "benchmark" && known != options.known_homes.end() && known->second == sha256(text))
+  if (recorded_homes(manifest.run.homes) == RecordedHomes::Benchmark && known != options.known_homes.end() &&
+      known->second == sha256(text))
     return std::nullopt;
   if (!options.make_home) return std::nullopt;
   const auto home = options.make_home(manifest, name);

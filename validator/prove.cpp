@@ -6,6 +6,7 @@
 #include "core/text.h"
 #include "logic/constraints.h"
 #include "logic/evaluate.h"
+#include "record/recorded_words.h"
 #include "record/text_writer.h"
 #include "scene/start.h"
 #include "simulation/known_start.h"
@@ -38,6 +39,11 @@ class TaskProver {
     if (read_scene()) prove_scene();
     for (Problem& problem : proof_.problems) problem.task = reading_.name;
     return std::move(proof_);
+  }
+
+  TaskFacts facts() {
+    if (read_scene()) proof_.facts = facts_of(task_, *home_, start_, read_demonstrations(), *backend_->knowledge);
+    return std::move(proof_.facts);
   }
 
  private:
@@ -94,8 +100,7 @@ class TaskProver {
   }
 
   void prove_scene() {
-    std::map<Mode, DemonstrationRecord> shown;
-    for (const Mode mode : kModes) read_demonstration(mode, shown);
+    const auto shown = read_demonstrations();
     const auto in_m1 = shown.find(Mode::M1);
     proof_.facts = facts_of(task_, *home_, start_, shown, *backend_->knowledge);
     auto physics = physics_of(start_);
@@ -131,7 +136,7 @@ class TaskProver {
   /// called the nearest is so on foot, too.
   void prove_referents(const Trace& at_start) {
     const bool tells_apart = task_.split == "instance_grounding" || !task_.refinement.empty();
-    const bool natural = tools_.manifest != nullptr && tools_.manifest->run.sense == "usual";
+    const bool natural = tools_.manifest != nullptr && least_grade(tools_.manifest->run.sense) == RecordedGrade::Usual;
     for (const Referents& one : referents_of(*goal_, start_, at_start, *backend_->profile)) {
       const auto wrong = [&](ProblemKind kind, std::string message) {
         found(kind, reading_.where, one.phrase + " " + std::move(message));
@@ -172,6 +177,12 @@ class TaskProver {
 
   std::string where_shown(Mode mode) const {
     return tools_.reader.lines().shown_at(mode, lines_.shown_in(mode).line->number);
+  }
+
+  std::map<Mode, DemonstrationRecord> read_demonstrations() {
+    std::map<Mode, DemonstrationRecord> shown;
+    for (const Mode mode : kModes) read_demonstration(mode, shown);
+    return shown;
   }
 
   void read_demonstration(Mode mode, std::map<Mode, DemonstrationRecord>& shown) {
@@ -282,9 +293,11 @@ class TaskProver {
     const std::string where = "wordings.jsonl";
     if (record.pair != record.task) found(ProblemKind::Wordings, where, "has the pair id " + record.pair);
     prove_others(record, where);
-    for (const auto& [name, wording] : record.wordings) {
+    for (const auto& [kind, wording] : record.wordings) {
+      const std::string name(name_of(kind));
       prove_origin({wording.writer, wording.checks, wording.fallback}, false, where);
-      if (text_writer_of(wording.writer) != TextWriter::Grammar || (wording.style == "direct") == (name == "complex"))
+      if (text_writer_of(wording.writer) != TextWriter::Grammar ||
+          (wording.style == kDirectStyle) == (kind == WordingKind::Complex))
         found(ProblemKind::Wordings, where,
               "has a " + name + " wording by " + wording.writer + " in the style " + wording.style);
       if (wording.goal.empty()) {
@@ -299,8 +312,8 @@ class TaskProver {
       prove_text(wording.text, wording.writer, wording.style, nullptr, *goal, where);
       if (holds(*goal, traces.at_start()))
         found(ProblemKind::Wordings, where, "the goal of its " + name + " wording already holds at the start");
-      if (name == "contrast") {
-        prove_contrast(record.wordings.at("direct").text, wording, *goal, where);
+      if (kind == WordingKind::Contrast) {
+        prove_contrast(record.wordings.at(WordingKind::Direct).text, wording, *goal, where);
         continue;
       }
       if (to_text(*goal) != wording.goal || (goal_ && without_references(*goal) != without_references(*goal_)))
@@ -315,11 +328,11 @@ class TaskProver {
   /// Further wordings mean the task's goal, and no two texts of it are alike.
   void prove_others(const WordingsRecord& record, const std::string& where) {
     std::set<std::string> texts;
-    for (const auto& [name, wording] : record.wordings)
+    for (const auto& [kind, wording] : record.wordings)
       if (wording.goal.empty()) texts.insert(wording.text);
     for (const WordingRecord& wording : record.others) {
       prove_origin({wording.writer, wording.checks, wording.fallback}, false, where);
-      if (wording.writer != "grammar")
+      if (text_writer_of(wording.writer) != TextWriter::Grammar)
         found(ProblemKind::Wordings, where, "has a further wording by " + wording.writer);
       if (!texts.insert(wording.text).second)
         found(ProblemKind::Wordings, where, "has the wording \"" + wording.text + "\" twice");
@@ -360,6 +373,10 @@ class TaskProver {
 
 TaskProof prove_task(const TaskReading& task, const TaskLines& lines, const ProofTools& tools) {
   return TaskProver(task, lines, tools).prove();
+}
+
+TaskFacts read_task_facts(const TaskReading& task, const TaskLines& lines, const ProofTools& tools) {
+  return TaskProver(task, lines, tools).facts();
 }
 
 }  // namespace unietp

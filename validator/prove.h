@@ -33,4 +33,7 @@ struct TaskProof {
 /// Proves one task that reads, in fresh physics, with all that belongs to it. `lines`: those that it was read from.
 TaskProof prove_task(const TaskReading& task, const TaskLines& lines, const ProofTools& tools);
 
+/// The facts of TaskProof alone, without physics.
+TaskFacts read_task_facts(const TaskReading& task, const TaskLines& lines, const ProofTools& tools);
+
 }  // namespace unietp

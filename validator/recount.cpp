@@ -6,6 +6,7 @@
 
 #include "core/text.h"
 #include "record/record_file.h"
+#include "record/recorded_words.h"
 #include "record/task_record.h"
 #include "record/text_writer.h"
 
@@ -123,7 +124,7 @@ void TaskRecount::add(const TaskReading& task) {
   ++templates_[task.record->template_name];
   ++grades_[task.record->grade];
   for (const std::string& form : task.record->forms) ++forms_[form];
-  if (task.record->grade != "usual") ++not_usual_[task.record->template_name];
+  if (recorded_grade(task.record->grade) != RecordedGrade::Usual) ++not_usual_[task.record->template_name];
   ++writers_[task.record->writer];
   check_task(task);
 }
@@ -147,7 +148,7 @@ void TaskRecount::check_task(const TaskReading& task) {
   if (is_among(run.without, record.template_name) ||
       (!run.templates.empty() && !is_among(run.templates, record.template_name)))
     found("has the template " + record.template_name + ", which is not in the configuration");
-  if (record.grade == "senseless" && run.sense != "any")
+  if (recorded_grade(record.grade) == RecordedGrade::Senseless && least_grade(run.sense) != RecordedGrade::Senseless)
     found("is senseless, but the configuration asks for tasks that are " + run.sense);
   if (record.run != run.seed)
     found("has the seed " + std::to_string(record.run) + ", but the run has " + std::to_string(run.seed));

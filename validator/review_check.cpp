@@ -48,14 +48,14 @@ ProblemList ReviewCheck::finish(TaskNames& tasks) {
       const auto gone = removed.find(mark.task);
       if (!there && gone == removed.end()) wrong("is about " + mark.task + ", which is neither a task nor a rejection");
       if (gone != removed.end()) {
-        if (mark.verdict != "reject") wrong("is not a rejection, but a review took out " + mark.task);
+        if (mark.verdict != Judgment::Reject) wrong("is not a rejection, but a review took out " + mark.task);
         if (mark.comment != gone->second) wrong("has a different comment than the rejection of " + mark.task);
         removed.erase(gone);
       }
       const auto own = edited.find(mark.task);
-      if (mark.verdict == "edit" && own == edited.end() && !manifest_.writing)
+      if (mark.verdict == Judgment::Edit && own == edited.end() && !manifest_.writing)
         wrong("is an edit, but the instruction of " + mark.task + " is not by a person");
-      if ((mark.verdict == "edit") == mark.before.empty())
+      if ((mark.verdict == Judgment::Edit) == mark.before.empty())
         wrong("must have the former text for an edit, and only then");
       if (own != edited.end()) {
         if (mark.before == own->second) wrong("has the present text of " + mark.task + " as the one before the edit");

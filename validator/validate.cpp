@@ -147,8 +147,27 @@ class WholeSet {
   std::vector<Result<LeakSearch>> leaks_;
 };
 
+/// The part of the tasks that is proven.
+class OwnTasks {
+ public:
+  /// `tasks`: as many as the manifest says; 0: not known, then all are of the first part.
+  OwnTasks(const ValidationOptions& options, int tasks) : part_(options.part), parts_(options.parts), tasks_(tasks) {}
+
+  bool has(const TaskLines& lines) const {
+    const std::int64_t before = lines.task.number - 1;
+    const std::int64_t part = tasks_ == 0 ? 0 : std::min<std::int64_t>(before * parts_ / tasks_, parts_ - 1);
+    return part == part_ - 1;
+  }
+  bool are_all() const { return parts_ == 1; }
+  bool have_the_whole_set() const { return part_ == 1; }  // what is of the whole set is checked with them
+
+ private:
+  int part_, parts_, tasks_;
+};
+
 /// What one task showed.
 struct TaskVerdict {
+  bool own = true;  // of the part that is proven; of others there are facts, and only with the whole set
   TaskReading reading;
   TaskProof proof;
   std::vector<std::optional<Nearest>> nearest;
@@ -172,6 +191,7 @@ TaskProof proof_of(const TaskReading& task, const TaskLines& lines, const ProofT
 struct SetVerdict {
   TaskNames names;
   std::vector<std::uint8_t> simulators;  // of each task; kSimulators.size() where it is not known
+  std::vector<bool> own;                 // of each task
   ProblemList reading, wordings, proofs;
   bool lacks_wordings = false;                               // of some task; the first is named
   ProofCounts counts;                                        // without those that are proven
@@ -203,6 +223,12 @@ void add(ProofCounts& to, const ProofCounts& other) {
 
 void take(TaskVerdict&& task, SetVerdict& set) {
   set.names.add(task.reading.name);
+  set.own.push_back(task.own);
+  const auto simulator =
+      task.reading.record ? simulator_named(task.reading.record->simulator) : std::optional<Simulator>();
+  const auto index = simulator ? static_cast<std::size_t>(*simulator) : kSimulators.size();
+  set.simulators.push_back(static_cast<std::uint8_t>(index));
+  if (!task.own) return;  // its own part tells what is wrong with it
   set.reading.add(std::move(task.reading.problems));
   set.wordings.add(std::move(task.reading.wordings_problems));
   if (task.reading.missing_wordings && !set.lacks_wordings)
@@ -211,10 +237,6 @@ void take(TaskVerdict&& task, SetVerdict& set) {
   set.proofs.add(std::move(task.proof.problems));
   task.proof.counts.tasks = 1;
   add(set.counts, task.proof.counts);
-  const auto simulator =
-      task.reading.record ? simulator_named(task.reading.record->simulator) : std::optional<Simulator>();
-  const auto index = simulator ? static_cast<std::size_t>(*simulator) : kSimulators.size();
-  set.simulators.push_back(static_cast<std::uint8_t>(index));
   if (simulator) add(set.by_simulator[index], task.proof.counts);
 }
 
@@ -225,7 +247,7 @@ void take_left_over_lines(DatasetLines& lines, SetVerdict& set) {
 /// Tasks of which nothing is wrong count as proven.
 void count_proven(const ProblemList& problems, SetVerdict& set) {
   for (std::size_t place = 0; place < set.names.size(); ++place) {
-    if (problems.blames(set.names.name(place))) continue;
+    if (!set.own[place] || problems.blames(set.names.name(place))) continue;
     ++set.counts.proven;
     if (set.simulators[place] < kSimulators.size()) ++set.by_simulator[set.simulators[place]].proven;
   }
@@ -257,35 +279,44 @@ ValidationReport validate_dataset(const fs::path& folder, const std::vector<Vali
 
   RestCheck rest(options.rest_m);
   const ProofTools tools{*reader, backends, options, rest, manifest ? &*manifest : nullptr};
+  const OwnTasks own(options, manifest ? manifest->tasks : 0);
   std::optional<WholeSet> whole;
-  if (manifest) whole.emplace(folder, *manifest, options);
+  if (manifest && own.have_the_whole_set()) whole.emplace(folder, *manifest, options);
   SetVerdict set;
   (void)work_in_order<TaskLines, TaskVerdict>(
       options.threads, [&] { return reader->lines().next(); },
       [&](const TaskLines& lines) {
-        TaskVerdict task{read_task_lines(*reader, lines), {}, {}};
+        const bool is_own = own.has(lines);
+        if (!is_own && !whole) return TaskVerdict{is_own, {}, {}, {}};
+        TaskVerdict task{is_own, read_task_lines(*reader, lines), {}, {}};
         if (!task.reading.record) return task;
-        task.proof = proof_of(task.reading, lines, tools);
+        if (is_own) {
+          task.proof = proof_of(task.reading, lines, tools);
+        } else {
+          task.proof.facts = read_task_facts(task.reading, lines, tools);
+        }
         if (const auto home = reader->homes().home(task.reading.record->layout); home && whole)
           task.nearest = whole->nearest(task.reading, **home);
         return task;
       },
       [&](TaskVerdict&& task) -> Result<Done> {
+        if (!task.own && !whole) return Done{};
         if (whole) whole->add(set.names.size(), task.reading, task.proof.facts, task.nearest);
         for (const TriedPlan& plan : task.proof.plans) options.take_plan(task.reading.name, plan);
         take(std::move(task), set);
         return Done{};
       });
-  take_left_over_lines(reader->lines(), set);
+  if (own.have_the_whole_set()) take_left_over_lines(reader->lines(), set);
 
   problems.add(std::move(set.reading));
   for (const auto& [place, first] : set.names.repeats()) {
+    if (!own.have_the_whole_set()) break;
     auto problem = problem_in(ProblemKind::RepeatedTask, reader->lines().task_at(static_cast<int>(place) + 1),
                               "an earlier task has the same id");
     problem.task = set.names.name(place);
     problems.add(std::move(problem));
   }
-  if (manifest) problems.add(check_files(FileCheck(folder, *manifest), options.threads));
+  if (whole) problems.add(check_files(FileCheck(folder, *manifest), options.threads));
   problems.add(std::move(set.wordings));
   problems.add(std::move(set.proofs));
   if (whole) problems.add(whole->problems(set.names));
@@ -293,7 +324,7 @@ ValidationReport validate_dataset(const fs::path& folder, const std::vector<Vali
   if (whole) report.likeness = whole->likeness();
   report.counts = set.counts;
   report.by_simulator = set.by_simulator;
-  if (manifest) report.counts.tasks = std::max(report.counts.tasks, manifest->tasks);
+  if (manifest && own.are_all()) report.counts.tasks = std::max(report.counts.tasks, manifest->tasks);
   reported();
   sort_by_task(report.problems, set.names);
   return report;

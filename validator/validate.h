@@ -27,7 +27,11 @@ struct ValidationReport {
 
 /// Verifies a finished data set, given only its files, as docs/validate.md explains. Reports the first
 /// ProblemList::kKept problems of each kind and counts all. Shares no code with the stages that made the data set.
-/// Memory: some tasks at a time, and a few hundred bytes of each.
+/// Of several parts, which are runs of tasks of about equal length, only the tasks of one are proven and counted. The
+/// first part also checks what is of the data set as a whole (files, counts, repeats, homes, what is shared with other
+/// sets), so that all parts together find what one call for all tasks finds.
+/// Memory: some tasks at a time, and of each task that is proven, in the first part of each task, what docs/validate.md
+/// states.
 /// Deterministic for any number of threads. `backends` are in the order of kSimulators; `knowledge_digest` is compared
 /// with the manifest's.
 ValidationReport validate_dataset(const std::filesystem::path& folder, const std::vector<ValidationBackend>& backends,

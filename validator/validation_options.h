@@ -71,6 +71,7 @@ class ProofMemory;
 /// What a verification reads and compares, and on how many threads.
 struct ValidationOptions {
   int threads = 1;
+  int part = 1, parts = 1;       // only this one of so many parts of the tasks is proven: 1 <= part <= parts
   double rest_m = 0.005;         // a body that moves farther than this when physics runs on was not at rest
   TextCheck check_text;          // none: instructions are not read
   TemplateCheck check_template;  // none: templates are not looked up

@@ -46,7 +46,7 @@ def snapshot(root, folder):
 def sources(original):
     """Room -> its .cpp files, in the order of the rooms."""
     cmake = (original / "CMakeLists.txt").read_text()
-    rooms = re.search(r"set\(UNIETP_ROOMS(.*?)CACHE", cmake, re.S)[1].split()
+    rooms = re.search(r"set\(UNIETP_ALL_ROOMS[^\n]*(.*?)\)", cmake, re.S)[1].split()
     return {room: sorted(str(path.relative_to(original)) for path in (original / room).rglob("*.cpp")) for room in rooms}
 
 

@@ -1,11 +1,13 @@
 #include "annotator/words_for_reading.h"
 
 #include <algorithm>
+#include <array>
 
 #include <gtest/gtest.h>
 
 #include "annotator/naming.h"
 #include "annotator/words_for_writing.h"
+#include "sense/action_roles.h"
 
 namespace unietp {
 namespace {
@@ -22,6 +24,35 @@ TEST(Words, EveryWrittenStateAndRelationIsReadAsWhatItSays) {
     // "in the kitchen" is read as inside, and the room makes it in_room.
     const Predicate read = row.predicate == Predicate::InRoom ? Predicate::Inside : row.predicate;
     EXPECT_TRUE(preposition.empty() || reads(preposition_phrases(), preposition, read)) << row.name;
+  }
+}
+
+TEST(Words, EveryPredicateThatAnActionCanChangeHasWords) {
+  constexpr std::array kFixed{Predicate::Color, Predicate::Material, Predicate::Size};  // words of their own
+  for (const PredicateInfo& row : all_predicates()) {
+    Complement asked;
+    asked.predicate = row.predicate;
+    if (std::find(kFixed.begin(), kFixed.end(), row.predicate) != kFixed.end()) continue;
+    EXPECT_FALSE(state_word(row.predicate).empty() && before_object(row.predicate).empty() && verbs(asked).empty())
+        << row.name << " has no row in annotator/words_for_writing.cpp";
+  }
+}
+
+TEST(Words, EveryStateThatIsAskedForByAVerbHasARole) {
+  for (const PredicateInfo& row : all_predicates()) {
+    Complement asked;
+    asked.predicate = row.predicate;
+    const bool state = row.arguments.size() == 1;
+    if (!state || verbs(asked).empty() || row.predicate == Predicate::Thawed)
+      continue;  // sense/action_roles.h says why
+    EXPECT_NE(action_of(row.predicate), "") << row.name << " has no row in sense/action_roles.cpp";
+  }
+  for (const StateAction& row : state_actions()) {
+    EXPECT_FALSE(row.role.empty() || row.verbs.front().empty()) << info(row.predicate).name;
+    const auto forms = verb_phrases();
+    EXPECT_TRUE(std::any_of(forms.begin(), forms.end(),
+                            [&](const PredicatePhrase& form) { return form.predicate == row.predicate; }))
+        << info(row.predicate).name << " has no verb in annotator/words_for_reading.cpp";
   }
 }
 

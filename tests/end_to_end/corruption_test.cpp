@@ -1,6 +1,7 @@
 // Data sets in which something was changed: `validate` names what is wrong and with which task. Checksums are made true
 // again first, except where they are what is tested, so that the proof must come from what the files mean.
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 
@@ -17,11 +18,15 @@
 namespace unietp {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::Each;
+using ::testing::Ge;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Le;
 using ::testing::Not;
+using ::testing::UnorderedElementsAreArray;
 using Json = nlohmann::ordered_json;
 
 std::vector<DamagedTask> tasks_of(const DamagedCopy& copy) {
@@ -344,6 +349,54 @@ TEST(Corruption, AFolderWithoutTasksOrManifestIsNamed) {
   const auto kinds = reported(verdict);
   EXPECT_THAT(kinds, Contains(std::pair(std::string("manifest"), std::string())));
   EXPECT_THAT(kinds, Contains(std::pair(std::string("unreadable"), std::string())));
+}
+
+using Blamed = std::array<std::string, 4>;  // kind, task, where, message
+
+std::vector<Blamed> blamed_in(const Verdict& verdict) {
+  std::vector<Blamed> all;
+  for (const auto& problem : verdict.problems)
+    all.push_back({problem.kind, problem.task, problem.where, problem.message});
+  return all;
+}
+
+/// The first shard finds what is of the whole set, and each what is of its own tasks.
+TEST(Shards, TogetherFindWhatOneValidationFinds) {
+  const DamagedCopy copy;
+  auto lines = split(copy.read("demonstrations/M1.jsonl"), '\n');
+  for (const std::size_t task : {3U, 20U, 39U})
+    lines[task] = replace_all(lines[task], "\"success\":true", "\"success\":false");
+  copy.write("demonstrations/M1.jsonl", join(lines, "\n"));
+  copy.write("stray.txt", "of no data set");
+  const auto whole = validate(copy.folder());
+  std::vector<Blamed> found;
+  int tasks = 0, proven = 0;
+  for (const char* shard : {"1/3", "2/3", "3/3"}) {
+    const auto verdict = validate(copy.folder(), {"--shard", shard});
+    EXPECT_EQ(verdict.code, 1) << shard;
+    EXPECT_THAT(verdict.tasks, AllOf(Ge(13), Le(14))) << shard;
+    EXPECT_EQ(verdict.proven, verdict.tasks - 1) << shard;
+    const auto own = blamed_in(verdict);
+    const bool files = std::any_of(own.begin(), own.end(), [](const Blamed& one) { return one[0] == "changed-file"; });
+    EXPECT_EQ(files, std::string(shard) == "1/3") << shard;
+    found.insert(found.end(), own.begin(), own.end());
+    tasks += verdict.tasks;
+    proven += verdict.proven;
+  }
+  EXPECT_EQ(tasks, kSmallCount);
+  EXPECT_EQ(proven, kSmallCount - 3);
+  EXPECT_EQ(whole.proven, kSmallCount - 3);
+  EXPECT_THAT(found, UnorderedElementsAreArray(blamed_in(whole)));
+}
+
+TEST(Shards, OfASoundSetAreSoundAndNonsenseIsRefused) {
+  for (const char* shard : {"1/2", "2/2", "41/41"}) {  // the last has the last task alone, or none
+    const auto verdict = validate(small_data_set(), {"--shard", shard});
+    EXPECT_EQ(verdict.code, 0) << shard;
+    EXPECT_EQ(verdict.proven, verdict.tasks) << shard;
+  }
+  for (const char* shard : {"0/2", "3/2", "2", "1/x"})
+    EXPECT_EQ(run_program({"validate", small_data_set().string(), "--shard", shard}).code, 2) << shard;
 }
 
 /// No kind of problem is without a corruption that shows it.

@@ -78,7 +78,7 @@ bool mark_body(std::string_view text) {
     check_error(mark.error());
     return false;
   }
-  require(!mark->task.empty() && !mark->verdict.empty());
+  require(!mark->task.empty() && !name_of(mark->verdict).empty());
   return true;
 }
 

@@ -6,8 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "core/files.h"
-#include "run/layout_pool.h"
-#include "run/slots.h"
 #include "scene/scene_json.h"
 
 namespace unietp {
@@ -92,23 +90,6 @@ TEST_F(GivenScenesTest, AFolderWithoutScenesIsRefused) {
   const auto given = read_given_scenes({folder_}, backends_);
   ASSERT_EQ(given.errors.size(), 1U);
   EXPECT_THAT(format(given.errors[0]), HasSubstr("contains no scene"));
-}
-
-TEST_F(GivenScenesTest, ARunUsesThemInPlaceOfDrawnHomes) {
-  Resources resources;
-  resources.backends = backends_;
-  resources.homes = {scene("first", "Mug"), scene("second", "Mug")};
-  RunConfiguration configuration;
-  LayoutPool pool(configuration, resources, 1);
-  ASSERT_EQ(pool.size(Simulator::Habitat), 2);
-  const auto& layout = pool.layout(Simulator::Habitat, 1);
-  ASSERT_TRUE(layout);
-  EXPECT_EQ(layout->home.scene.id, "second");
-  EXPECT_EQ(layout->home.scene.nodes, resources.homes[1].nodes);
-  EXPECT_THAT(layout->offer.categories, ::testing::Contains("Mug"));
-  const auto slots = plan_slots(configuration, resources);
-  ASSERT_FALSE(slots);
-  EXPECT_THAT(slots.error().message, HasSubstr("none of the given scenes belongs to ai2thor"));
 }
 
 }  // namespace

@@ -5,8 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "core/files.h"
-#include "dataset/manifest.h"
-#include "run/layout_pool.h"
 #include "tests/support/scratch_folder.h"
 
 namespace unietp {
@@ -44,31 +42,6 @@ TEST(Resources, TheDigestSeesNamesPhrasesAndTemplates) {
     ASSERT_TRUE(write_file(folder.path() / file, *text + "\n"));
     EXPECT_TRUE(digests.insert(*knowledge_digest(copied)).second) << file;
   }
-}
-
-TEST(Resources, EverySourceOfAFactHasALicense) {
-  const auto reading = load_resources(own_folders());
-  ASSERT_TRUE(reading.errors.empty());
-  const auto sources = sources_of(RunConfiguration{}, reading.resources, own_folders().licenses());
-  ASSERT_TRUE(sources) << format(sources.error());
-  EXPECT_GT(sources->size(), 5U);
-  for (const auto& source : *sources) EXPECT_FALSE(source.license.empty()) << source.source;
-}
-
-TEST(LayoutPool, GivesEqualHomesWhoeverAsksFirst) {
-  const auto reading = load_resources(own_folders());
-  ASSERT_TRUE(reading.errors.empty());
-  RunConfiguration configuration;
-  configuration.rooms = 5;
-  configuration.objects = 10;
-  LayoutPool forwards(configuration, reading.resources, 2), backwards(configuration, reading.resources, 2);
-  const auto& first = forwards.layout(Simulator::Ai2thor, 0);
-  (void)backwards.layout(Simulator::Ai2thor, 1);
-  const auto& again = backwards.layout(Simulator::Ai2thor, 0);
-  ASSERT_TRUE(first && again);
-  EXPECT_EQ(first->home.scene, again->home.scene);
-  EXPECT_EQ(first->offer.categories, again->offer.categories);
-  EXPECT_NE(first->home.scene, forwards.layout(Simulator::Ai2thor, 1)->home.scene);
 }
 
 TEST(LoadBackends, GivesAgentsOfTheProfileWideWithTheExtendedLibraryOnly) {

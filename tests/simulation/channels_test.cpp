@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "core/rng.h"
+#include "simulation/channel_png.h"
 #include "simulation/relations.h"
 #include "simulation/state_solids.h"
 #include "simulation/view.h"
@@ -160,6 +161,22 @@ TEST(Channels, OfABoxAheadAreItsDistanceAndItsFace) {
   EXPECT_EQ(sky.depth[middle], std::numeric_limits<float>::infinity());
   EXPECT_EQ(sky.normal[3 * middle + 2], 0);
   EXPECT_EQ(sky.node[middle], -1);
+}
+
+TEST(Channels, HaveNamesAndFilesOfTheirOwn) {
+  for (const Channel channel : kChannels) EXPECT_EQ(channel_named(name_of(channel)), channel);
+  EXPECT_EQ(channel_named("pixels"), std::nullopt);
+  Channels one;
+  one.width = one.height = 1;
+  one.depth = {1.5F};
+  one.normal = {0, 0, -1};
+  one.node = {6};
+  const auto depth = depth_png(one), normals = normals_png(one), instances = instances_png(one);
+  ASSERT_TRUE(depth && normals && instances);
+  EXPECT_NE(*depth, *instances);
+  EXPECT_EQ(*channel_png(one, Channel::Depth), *depth);
+  EXPECT_EQ(*channel_png(one, Channel::Normals), *normals);
+  EXPECT_EQ(*channel_png(one, Channel::Instances), *instances);
 }
 
 TEST(Viewpoints, ShowWhatTheAgentHoldsInItsHandAndItsOwnEyeDoesNot) {

@@ -4,12 +4,12 @@
 #include "scene/scene.h"
 #include "simulation/profile.h"
 #include "simulation/relations.h"
+#include "tests/support/kitchen_knowledge.h"
 
 namespace unietp::testing {
 
 /// A 5 x 4 m kitchen with a table, a counter, a fridge, a microwave on the counter, a sink, a chest of drawers, and on
 /// the table a mug, an apple, a knife and a plate: what the tests of physics and actions need, built by hand.
-Knowledge kitchen_knowledge(Simulator simulator = Simulator::Ai2thor);
 Scene kitchen();
 Profile kitchen_profile(Simulator simulator = Simulator::Ai2thor, ActionProfile actions = ActionProfile::Unietp);
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "tests/simulation/kitchen.h"
+#include "tests/support/kitchen_knowledge.h"
 
 namespace unietp::symbolic {
 namespace {

@@ -4,8 +4,8 @@
 #include <array>
 #include <tuple>
 
-#include "naive_scene.h"
 #include "symbolic/perform.h"
+#include "tests/generator/naive_scene.h"
 
 namespace unietp {
 

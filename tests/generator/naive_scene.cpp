@@ -1,11 +1,11 @@
-#include "naive_scene.h"
+#include "tests/generator/naive_scene.h"
 
 #include <algorithm>
 #include <iterator>
 #include <map>
 #include <set>
 
-#include "naive_draw.h"
+#include "tests/generator/naive_draw.h"
 
 namespace unietp {
 namespace {

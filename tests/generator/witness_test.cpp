@@ -4,8 +4,8 @@
 
 #include "generator/specification.h"
 #include "logic/evaluate.h"
-#include "naive_scene.h"
 #include "symbolic/reach.h"
+#include "tests/generator/naive_scene.h"
 #include "tests/support/committed_knowledge.h"
 
 namespace unietp {

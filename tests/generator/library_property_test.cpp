@@ -8,10 +8,10 @@
 
 #include "generator/goal_parts.h"
 #include "logic/evaluate.h"
-#include "mutated_goals.h"
-#include "naive_scene.h"
 #include "symbolic/witness.h"
 #include "templates/template.h"
+#include "tests/generator/mutated_goals.h"
+#include "tests/generator/naive_scene.h"
 #include "tests/support/committed_knowledge.h"
 
 namespace unietp {

@@ -1,3 +1,4 @@
+// Drawn scenes in PDDL, beside what the symbols say.
 #include "pddl/problem.h"
 
 #include <gtest/gtest.h>
@@ -10,12 +11,11 @@
 #include "logic/evaluate.h"
 #include "pddl/domain.h"
 #include "pddl/plan.h"
-#include "pddl/problem_objects.h"
-#include "reader.h"
 #include "symbolic/witness.h"
 #include "templates/template.h"
+#include "tests/generator/naive_scene.h"
+#include "tests/pddl/reader.h"
 #include "tests/support/committed_knowledge.h"
-#include "tests/symbolic/naive_scene.h"
 
 namespace unietp {
 namespace {
@@ -121,29 +121,6 @@ std::vector<Action> actions_of(const std::vector<symbolic::Step>& steps, const s
     if (step.target.is_thing()) actions.back().args.push_back(setting.objects.object(step.target).id);
   }
   return actions;
-}
-
-/// A problem stays small in a home with many places: two kinds of furniture on which to put a thing aside are enough.
-TEST(PddlProblem, HasTwoKindsOfFurnitureToPutAThingAside) {
-  const auto& knowledge = committed_knowledge(Simulator::Ai2thor);
-  Scene home;
-  const auto add = [&](const std::string& category) {
-    Node node;
-    node.id = lower(category) + "_1";
-    node.category = category;
-    node.movable = knowledge.find(category)->movable;
-    home.nodes.push_back(node);
-  };
-  add("Mug");
-  for (const Placement* place : knowledge.placements_of("Mug", Predicate::On)) {
-    const bool treats = std::ranges::any_of(knowledge.effects(),
-                                            [&](const Effect& effect) { return effect.tool == place->receptacle; });
-    if (!knowledge.find(place->receptacle)->movable && !treats) add(place->receptacle);
-  }
-  ASSERT_GT(home.nodes.size(), 6U);
-  const auto goal = parse_formula("test", "(exists (?a - Mug) (at-end (held ?a)))", FormulaUse::Goal);
-  ASSERT_TRUE(goal);
-  EXPECT_EQ(pddl::problem_objects(home, knowledge, *goal, {}).size(), 3U);
 }
 
 /// Symbols say what is true after each step; the exported actions, read and executed by a reader that knows only PDDL,

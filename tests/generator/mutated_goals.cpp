@@ -1,4 +1,4 @@
-#include "mutated_goals.h"
+#include "tests/generator/mutated_goals.h"
 
 #include <array>
 
