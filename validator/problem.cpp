@@ -93,6 +93,9 @@ constexpr std::array kProblems{
     ProblemInfo{Kind::TextPhrasing, "text-phrasing", "an instruction's sentence pattern is not in the recorded set"},
     ProblemInfo{Kind::TextRecord, "text-record",
                 "the checks or the writer of an instruction are not as its writer records them"},
+    ProblemInfo{
+        Kind::TextUnchecked, "text-unchecked",
+        "an instruction by a person was accepted although it failed the checks, so that nothing proves its meaning"},
     ProblemInfo{Kind::Wordings, "wordings", "paired wordings do not match their task"},
 };
 static_assert(kProblems.size() == kProblemKinds);

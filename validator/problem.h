@@ -85,6 +85,7 @@ enum class ProblemKind : std::uint8_t {
   TextStyle,
   TextPhrasing,
   TextRecord,
+  TextUnchecked,
   Wordings,
 };
 inline constexpr std::size_t kProblemKinds = static_cast<std::size_t>(ProblemKind::Wordings) + 1;

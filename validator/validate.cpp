@@ -172,6 +172,7 @@ TaskProof proof_of(const TaskReading& task, const TaskLines& lines, const ProofT
 struct SetVerdict {
   TaskNames names;
   std::vector<std::uint8_t> simulators;  // of each task; kSimulators.size() where it is not known
+  std::vector<bool> unchecked;           // of each task: whether its text failed the checks
   ProblemList reading, wordings, proofs;
   bool lacks_wordings = false;                               // of some task; the first is named
   ProofCounts counts;                                        // without those that are proven
@@ -199,6 +200,7 @@ void add(ProofCounts& to, const ProofCounts& other) {
   to.constrained += other.constrained;
   to.tempting += other.tempting;
   to.texts += other.texts;
+  to.unchecked += other.unchecked;
 }
 
 void take(TaskVerdict&& task, SetVerdict& set) {
@@ -209,6 +211,7 @@ void take(TaskVerdict&& task, SetVerdict& set) {
     set.wordings.add({ProblemKind::Wordings, "", *task.reading.missing_wordings});
   set.lacks_wordings = set.lacks_wordings || task.reading.missing_wordings;
   set.proofs.add(std::move(task.proof.problems));
+  set.unchecked.push_back(task.proof.counts.unchecked > 0);
   task.proof.counts.tasks = 1;
   add(set.counts, task.proof.counts);
   const auto simulator =
@@ -222,10 +225,10 @@ void take_left_over_lines(DatasetLines& lines, SetVerdict& set) {
   while (const auto stray = lines.next_stray()) (stray->mode ? set.reading : set.wordings).add(stray_problem(*stray));
 }
 
-/// Tasks of which nothing is wrong count as proven.
+/// Tasks of which nothing is wrong count as proven, unless their text failed the checks and was accepted.
 void count_proven(const ProblemList& problems, SetVerdict& set) {
   for (std::size_t place = 0; place < set.names.size(); ++place) {
-    if (problems.blames(set.names.name(place))) continue;
+    if (set.unchecked[place] || problems.blames(set.names.name(place))) continue;
     ++set.counts.proven;
     if (set.simulators[place] < kSimulators.size()) ++set.by_simulator[set.simulators[place]].proven;
   }
