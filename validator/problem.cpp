@@ -12,6 +12,7 @@ constexpr std::array kProblems{
     ProblemInfo{Kind::Manifest, "manifest", "manifest.json is missing or cannot be read"},
     ProblemInfo{Kind::OtherKnowledge, "other-knowledge",
                 "the data set was made with different tables, profiles or templates"},
+    ProblemInfo{Kind::OtherVersion, "other-version", "the data set was made by another version of the program"},
     ProblemInfo{Kind::MissingFile, "missing-file", "a file listed in the manifest is missing"},
     ProblemInfo{Kind::UnlistedFile, "unlisted-file", "a file is not listed in the manifest"},
     ProblemInfo{Kind::ChangedFile, "changed-file", "the length or SHA-256 of a file differs from the manifest"},

@@ -16,6 +16,7 @@ enum class ProblemKind : std::uint8_t {
   // the folder as a whole
   Manifest,
   OtherKnowledge,
+  OtherVersion,
   MissingFile,
   UnlistedFile,
   ChangedFile,

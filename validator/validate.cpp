@@ -9,6 +9,7 @@
 #include "core/files.h"
 #include "core/ordered_work.h"
 #include "core/share_work.h"
+#include "core/version.h"
 #include "record/dataset_reader.h"
 #include "record/manifest_record.h"
 #include "validator/candidate_check.h"
@@ -41,6 +42,10 @@ std::optional<ManifestRecord> manifest_in(const fs::path& folder, std::string_vi
                                 manifest->knowledge_digest.substr(0, 12) + ") than the current ones (digest " +
                                 std::string(knowledge_digest.substr(0, 12)) +
                                 "); use --data to select the right ones"));
+  if (manifest->program_version != program_version())
+    problems.add(problem_in(ProblemKind::OtherVersion, kManifest,
+                            "was made by version " + manifest->program_version + ", and this is version " +
+                                std::string(program_version()) + "; verify it with the version that made it"));
   return std::move(*manifest);
 }
 
