@@ -85,7 +85,7 @@ void add_review_command(CommandParser& app, CommandLine& program) {
       ->shows_default();
   command
       ->add_flag("--accept-unchecked", options->apply.accept_unchecked,
-                 "Also take edits that fail the checks; the task's record says so")
+                 "Also take edits that fail the checks; the task's record says so, and validate reports it")
       ->needs(reviews);
   command->add_flag("--keep-rejected", options->apply.keep_rejected, "Only mark rejected tasks in reviews.jsonl")
       ->needs(reviews);

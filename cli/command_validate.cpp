@@ -30,7 +30,7 @@ struct ValidateOptions {
   std::vector<std::filesystem::path> against;
   std::string shard;  // "2/8"; empty: all of it
   int threads = 1;
-  bool json = false, kinds = false;
+  bool json = false, kinds = false, accept_unchecked = false;
 };
 
 /// Number of problems of each kind, in the order of the kinds.
@@ -57,7 +57,8 @@ Json counts_json(const ProofCounts& counts) {
           {"altered_plans", counts.altered_plans},
           {"constrained", counts.constrained},
           {"tempting", counts.tempting},
-          {"texts", counts.texts}};
+          {"texts", counts.texts},
+          {"unchecked", counts.unchecked}};
 }
 
 Json audit_of(const AuditReport& audit) {
@@ -129,8 +130,11 @@ void print_text(const ValidationReport& report, const std::optional<AuditReport>
   if (report.counts.constrained > 0)
     std::printf("%d of %d goals with constraints have a plan that forgets one and does the rest\n",
                 report.counts.tempting, report.counts.constrained);
-  std::printf("%d of %d proven%s\n", report.counts.proven, report.counts.tasks,
-              shard.empty() ? "" : (" in shard " + shard).c_str());
+  std::printf("%d of %d proven", report.counts.proven, report.counts.tasks);
+  if (report.counts.unchecked > 0)
+    std::printf("; of %d the text failed the checks (person:unchecked), so that nothing proves its meaning",
+                report.counts.unchecked);
+  std::printf("%s\n", shard.empty() ? "" : (" in shard " + shard).c_str());
 }
 
 /// The table of docs/validate.md.
@@ -222,6 +226,7 @@ Exit validate(ValidateOptions& options, const CommandLine& program) {
   validation->part = shard->number;
   validation->parts = shard->of;
   validation->against = options.against;
+  validation->accept_unchecked = options.accept_unchecked;
   std::optional<PlanFile> plans;
   if (!options.plans.empty()) {
     auto begun = PlanFile::begin(options.plans);
@@ -277,6 +282,9 @@ void add_validate_command(CommandParser& app, CommandLine& program) {
                    "Prove only part K of N of the tasks; part 1 also checks what is of the whole data set, so that all "
                    "parts together are the whole verification")
       ->type_name("K/N");
+  command->add_flag("--accept-unchecked", options->accept_unchecked,
+                    "Count instructions by people that failed the checks, and do not report them as problems; their "
+                    "tasks are not proven");
   command->add_flag("--kinds", options->kinds, "List the kinds of problems, as Markdown")->excludes(folder);
   add_threads_option(*command, options->threads, program);
   command->add_flag("--json", options->json, "Print the report as JSON");

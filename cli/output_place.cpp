@@ -29,6 +29,13 @@ std::string kind_of(const fs::path& folder) {
 }  // namespace
 
 std::string refusal_of_output(const fs::path& path) {
+  std::error_code code;
+  fs::path part;
+  for (const fs::path& name : fs::absolute(path, code)) {
+    part /= name;
+    if (fs::is_symlink(part, code) && !fs::exists(part, code))
+      return part.string() + " is a symbolic link that leads nowhere; remove it, or choose another place";
+  }
   fs::path folder = one_name_of(path);
   while (folder.has_relative_path()) {
     folder = folder.parent_path();

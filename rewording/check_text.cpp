@@ -42,7 +42,7 @@ std::vector<Problem> check_text(const StatedGoal& stated, const Backend& backend
   const auto form = form_faults(stated.text, specification);
   found(ProblemKind::TextForm, form);
   const auto writer = text_writer_of(stated.writer);
-  if (writer == TextWriter::UncheckedPerson) return problems;  // somebody vouches for it, against the reader
+  if (writer == TextWriter::UncheckedPerson) return problems;  // reported for its writer
   const bool by_grammar = writer == TextWriter::Grammar;
   auto meaning = by_grammar || writer == TextWriter::Person
                      ? check_instruction(stated.text, specification, backend.knowledge, all, stated.home)

@@ -64,6 +64,34 @@ ProblemList compare_schema(SqliteFile& file) {
   return problems;
 }
 
+/// What a file says beside its tables, where readers of values do not look.
+struct Aside {
+  const char* pragma;
+  std::string_view value;
+};
+constexpr std::uintmax_t kPageBytes = 4096;
+constexpr Aside kAside[] = {{"application_id", "0"}, {"user_version", "0"}, {"page_size", "4096"},
+                            {"encoding", "UTF-8"},   {"auto_vacuum", "0"},  {"freelist_count", "0"}};
+
+ProblemList check_around_tables(SqliteFile& file, std::uintmax_t bytes) {
+  ProblemList problems;
+  const auto value = [&](const char* pragma) {
+    auto row = file.prepare(std::string("PRAGMA ") + pragma);
+    return row.step() ? std::string(row.text(0)) : "";
+  };
+  for (const auto& [pragma, wanted] : kAside) {
+    if (const auto found = value(pragma); found != wanted)
+      problems.add(
+          database_problem("", std::string("has the ") + pragma + " " + found + ", expected " + std::string(wanted)));
+  }
+  if (const auto pages = value("page_count"); std::to_string(bytes / kPageBytes) != pages || bytes % kPageBytes != 0)
+    problems.add(database_problem(
+        "", "has " + std::to_string(bytes) + " bytes, expected " + pages + " pages of " + std::to_string(kPageBytes)));
+  if (const auto fault = value("quick_check"); fault != "ok")
+    problems.add(database_problem("", "is damaged: " + fault));
+  return problems;
+}
+
 /// A table's columns with the values that a row must have.
 using NamedValues = std::vector<std::pair<const char*, std::string>>;
 
@@ -177,6 +205,7 @@ DatabaseCheck::DatabaseCheck(const std::filesystem::path& folder) {
   try {
     tables_ = std::make_unique<Tables>(*path);
     problems_.add(compare_schema(tables_->file));
+    problems_.add(check_around_tables(tables_->file, std::filesystem::file_size(*path)));
     for (TaskRows* rows : {&tables_->bindings, &tables_->steps, &tables_->traits}) {
       if (!rows->of(0).empty())
         problems_.add(database_problem("", "has rows of unknown tasks in the table " + rows->table()));

@@ -185,7 +185,7 @@ constexpr std::array kFieldRules{
     FieldInfo{"review-mark", "comment", Rule::Free, kPerson},
     FieldInfo{"manifest", "format", Rule::Fixed, kFormat},
     FieldInfo{"manifest", "program.name", Rule::Fixed, "unietp"},
-    FieldInfo{"manifest", "program.version", Rule::Compared, "that of the card"},
+    FieldInfo{"manifest", "program.version", Rule::Compared, "that of this program and of the card"},
     FieldInfo{"manifest", "benchmark", Rule::Recomputed,
               "from the digests of tasks and homes, and data/benchmarks.csv"},
     FieldInfo{"manifest", "knowledge_digest", Rule::Recomputed, "from the tables, profiles, recipes and templates"},

@@ -13,9 +13,13 @@
 namespace unietp {
 namespace {
 
-/// What is wrong with a home's text; nullopt when nothing is.
-std::optional<std::string> home_fault(const std::string& name, const std::string& text, const ManifestRecord& manifest,
-                                      const ValidationOptions& options) {
+/// What is wrong with a home's file; nullopt when nothing is, or what is wrong is reported where it is read.
+std::optional<std::string> home_fault(const std::string& name, const std::string& packed,
+                                      const ManifestRecord& manifest, const ValidationOptions& options) {
+  const auto unpacked = gunzip(name, packed);
+  if (!unpacked) return std::nullopt;
+  const std::string& text = *unpacked;
+  if (gzip(text) != packed) return "is not packed as this program does: its header or a further part may say anything";
   const auto& given = manifest.run.scenes;
   if (!given.empty()) {
     if (std::find(given.begin(), given.end(), name + " " + sha256(text)) != given.end()) return std::nullopt;
@@ -38,8 +42,8 @@ ProblemList check_homes(const std::filesystem::path& folder, const ManifestRecor
                         const std::vector<std::string>& used, const ValidationOptions& options) {
   std::vector<std::optional<std::string>> faults(used.size());
   share_work(options.threads, used.size(), [&](std::size_t i) {
-    const auto text = read_maybe_gzip(folder, home_file(used[i]));
-    if (text) faults[i] = home_fault(used[i], *text, manifest, options);  // else reported where it is read
+    const auto packed = read_file(folder, home_file(used[i]));
+    if (packed) faults[i] = home_fault(used[i], *packed, manifest, options);
   });
   ProblemList problems;
   for (std::size_t i = 0; i < used.size(); ++i) {

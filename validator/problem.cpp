@@ -12,6 +12,7 @@ constexpr std::array kProblems{
     ProblemInfo{Kind::Manifest, "manifest", "manifest.json is missing or cannot be read"},
     ProblemInfo{Kind::OtherKnowledge, "other-knowledge",
                 "the data set was made with different tables, profiles or templates"},
+    ProblemInfo{Kind::OtherVersion, "other-version", "the data set was made by another version of the program"},
     ProblemInfo{Kind::MissingFile, "missing-file", "a file listed in the manifest is missing"},
     ProblemInfo{Kind::UnlistedFile, "unlisted-file", "a file is not listed in the manifest"},
     ProblemInfo{Kind::ChangedFile, "changed-file", "the length or SHA-256 of a file differs from the manifest"},
@@ -93,6 +94,9 @@ constexpr std::array kProblems{
     ProblemInfo{Kind::TextPhrasing, "text-phrasing", "an instruction's sentence pattern is not in the recorded set"},
     ProblemInfo{Kind::TextRecord, "text-record",
                 "the checks or the writer of an instruction are not as its writer records them"},
+    ProblemInfo{
+        Kind::TextUnchecked, "text-unchecked",
+        "an instruction by a person was accepted although it failed the checks, so that nothing proves its meaning"},
     ProblemInfo{Kind::Wordings, "wordings", "paired wordings do not match their task"},
 };
 static_assert(kProblems.size() == kProblemKinds);

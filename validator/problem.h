@@ -16,6 +16,7 @@ enum class ProblemKind : std::uint8_t {
   // the folder as a whole
   Manifest,
   OtherKnowledge,
+  OtherVersion,
   MissingFile,
   UnlistedFile,
   ChangedFile,
@@ -85,6 +86,7 @@ enum class ProblemKind : std::uint8_t {
   TextStyle,
   TextPhrasing,
   TextRecord,
+  TextUnchecked,
   Wordings,
 };
 inline constexpr std::size_t kProblemKinds = static_cast<std::size_t>(ProblemKind::Wordings) + 1;

@@ -247,7 +247,17 @@ class TaskProver {
                           text_writer_of(tools_.manifest->writing->writer) != TextWriter::Grammar;
     if (tools_.manifest != nullptr)
       prove_origin({task_.writer, task_.checks, task_.fallback}, by_model, reading_.where);
+    if (text_writer_of(task_.writer) == TextWriter::UncheckedPerson) take_unchecked();
     if (goal_) prove_text(task_.instruction, task_.writer, task_.style, &task_.phenomena, *goal_, reading_.where);
+  }
+
+  /// A text that somebody vouches for, which anybody may claim.
+  void take_unchecked() {
+    ++proof_.counts.unchecked;
+    if (!tools_.options.accept_unchecked)
+      found(ProblemKind::TextUnchecked, reading_.where,
+            "its instruction \"" + task_.instruction + "\" is by " + task_.writer +
+                ": it failed the checks, so that nothing proves its meaning");
   }
 
   void prove_origin(const TextOrigin& origin, bool by_model, const std::string& where) {

@@ -9,6 +9,7 @@
 #include "core/files.h"
 #include "core/ordered_work.h"
 #include "core/share_work.h"
+#include "core/version.h"
 #include "record/dataset_reader.h"
 #include "record/manifest_record.h"
 #include "validator/candidate_check.h"
@@ -41,6 +42,10 @@ std::optional<ManifestRecord> manifest_in(const fs::path& folder, std::string_vi
                                 manifest->knowledge_digest.substr(0, 12) + ") than the current ones (digest " +
                                 std::string(knowledge_digest.substr(0, 12)) +
                                 "); use --data to select the right ones"));
+  if (manifest->program_version != program_version())
+    problems.add(problem_in(ProblemKind::OtherVersion, kManifest,
+                            "was made by version " + manifest->program_version + ", and this is version " +
+                                std::string(program_version()) + "; verify it with the version that made it"));
   return std::move(*manifest);
 }
 
@@ -192,6 +197,7 @@ struct SetVerdict {
   TaskNames names;
   std::vector<std::uint8_t> simulators;  // of each task; kSimulators.size() where it is not known
   std::vector<bool> own;                 // of each task
+  std::vector<bool> unchecked;           // of each task: whether its text failed the checks
   ProblemList reading, wordings, proofs;
   bool lacks_wordings = false;                               // of some task; the first is named
   ProofCounts counts;                                        // without those that are proven
@@ -219,11 +225,13 @@ void add(ProofCounts& to, const ProofCounts& other) {
   to.constrained += other.constrained;
   to.tempting += other.tempting;
   to.texts += other.texts;
+  to.unchecked += other.unchecked;
 }
 
 void take(TaskVerdict&& task, SetVerdict& set) {
   set.names.add(task.reading.name);
   set.own.push_back(task.own);
+  set.unchecked.push_back(task.own && task.proof.counts.unchecked > 0);
   const auto simulator =
       task.reading.record ? simulator_named(task.reading.record->simulator) : std::optional<Simulator>();
   const auto index = simulator ? static_cast<std::size_t>(*simulator) : kSimulators.size();
@@ -244,10 +252,10 @@ void take_left_over_lines(DatasetLines& lines, SetVerdict& set) {
   while (const auto stray = lines.next_stray()) (stray->mode ? set.reading : set.wordings).add(stray_problem(*stray));
 }
 
-/// Tasks of which nothing is wrong count as proven.
+/// Tasks of which nothing is wrong count as proven, unless their text failed the checks and was accepted.
 void count_proven(const ProblemList& problems, SetVerdict& set) {
   for (std::size_t place = 0; place < set.names.size(); ++place) {
-    if (!set.own[place] || problems.blames(set.names.name(place))) continue;
+    if (!set.own[place] || set.unchecked[place] || problems.blames(set.names.name(place))) continue;
     ++set.counts.proven;
     if (set.simulators[place] < kSimulators.size()) ++set.by_simulator[set.simulators[place]].proven;
   }

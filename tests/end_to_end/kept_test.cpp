@@ -256,16 +256,39 @@ TEST(Kept, APlaceThatCannotBeWrittenIsToldBeforeTheWork) {
   }
 }
 
-/// With `--out NAME` a place inside of the folder instead; "" for a command that has no such option.
-std::string with_output_inside(const std::string& arguments, const std::string& folder) {
+/// With another place than `--out NAME`; "" for a command that has no such option.
+std::string with_output(const std::string& arguments, const std::string& place) {
   for (const std::string_view option : {" --out ", " --altered-plans "}) {
     const auto at = arguments.find(option);
     if (at == std::string::npos) continue;
     const auto name = at + option.size(), end = arguments.find(' ', name);
-    return arguments.substr(0, name) + folder + "/homes/" + arguments.substr(name, end - name) +
-           (end == std::string::npos ? "" : arguments.substr(end));
+    return arguments.substr(0, name) + place + (end == std::string::npos ? "" : arguments.substr(end));
   }
   return "";
+}
+
+/// It would be found only when what was made gets its name.
+TEST(Kept, ALinkThatLeadsNowhereIsToldBeforeTheWork) {
+  const Workbench bench;
+  int tried = 0;
+  for (const auto& command : writing_commands()) {
+    const auto arguments = with_output(command.arguments, "nowhere");
+    if (arguments.empty()) continue;
+    SCOPED_TRACE(arguments);
+    fs::create_symlink("gone/away", bench / "nowhere");
+    for (const char* place : {"nowhere", "nowhere/below"}) {
+      const auto ended = bench.run(with_output(command.arguments, place));
+      EXPECT_EQ(ended.code, 2) << ended.out;
+      EXPECT_THAT(ended.err, HasSubstr("nowhere is a symbolic link that leads nowhere"));
+    }
+    EXPECT_TRUE(fs::is_symlink(bench / "nowhere"));
+    EXPECT_FALSE(fs::exists(bench / "nowhere"));
+    fs::remove(bench / "nowhere");
+    for (const auto& entry : fs::directory_iterator(bench.path()))
+      EXPECT_FALSE(entry.path().filename().string().starts_with("nowhere")) << entry.path();
+    ++tried;
+  }
+  EXPECT_GT(tried, 25);
 }
 
 TEST(Kept, NoCommandWritesInsideOfADataSetAndTheLike) {
@@ -274,7 +297,7 @@ TEST(Kept, NoCommandWritesInsideOfADataSetAndTheLike) {
   fs::create_directory_symlink("data", bench / "link");
   int tried = 0;
   for (const auto& command : writing_commands()) {
-    const auto arguments = with_output_inside(command.arguments, "data");
+    const auto arguments = with_output(command.arguments, "data/homes/" + command.makes);
     if (arguments.empty()) continue;
     SCOPED_TRACE(arguments);
     const auto before = bytes_below(bench.path());

@@ -243,7 +243,12 @@ TEST_F(Pages, AnEditThatSaysSomethingElseIsRefusedByName) {
   EXPECT_EQ(instruction["text"], wrong);
   EXPECT_EQ(instruction["writer"], "person:unchecked");
   EXPECT_EQ(instruction["checks"], Json({"form", "style"}));
-  EXPECT_EQ(validate(data()).code, 0);
+  const auto found = validate(data());
+  EXPECT_EQ(found.code, 1);
+  ASSERT_EQ(found.problems.size(), 1U);
+  EXPECT_EQ(found.problems[0].kind, "text-unchecked");
+  EXPECT_EQ(found.problems[0].task, tasks(data())[0]["id"]);
+  EXPECT_EQ(found.proven, kCount - 1);
 }
 
 TEST_F(Pages, AVerdictOnAnotherTextIsRefused) {

@@ -102,6 +102,14 @@ std::vector<WritingCommand> writing_commands() {
       {"scene make", "scene make --simulator habitat --count 2 --seed 3 --out out", "out", true},
       {"template new", "template new mine --like place-one-on --out out", "out", true},
   };
+  const fs::path upstream = UNIETP_UPSTREAM_DIR;
+  if (const fs::path activities = upstream / "behavior" / "activity_definitions"; fs::exists(activities)) {
+    commands.push_back({"scene fit", "scene fit " + upstream.string() + " --out out", "out", true});
+    commands.push_back(
+        {"knowledge fit-sense",
+         "knowledge fit-sense " + upstream.string() + " --activities " + activities.string() + " --out out", "out",
+         true});
+  }
   for (const char* format : {"sft", "unietp-release", "bddl", "pddl", "ltlf", "virtualhome", "virtualhome-unity",
                              "habitat", "ai2thor", "behavior", "starts", "forms"})
     commands.push_back(

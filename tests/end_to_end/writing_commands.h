@@ -17,8 +17,9 @@ struct WritingCommand {
 
 /// Every command that writes files, but those whose files tell how long things took: `evaluate` (evaluate_test.cpp
 /// kills it) and the ledger of a run (kept_test.cpp does); `shape gallery`, which takes seconds (likewise); `knowledge
-/// complete`, which needs tables of its own (complete_test.cpp kills it); and those that make this program's own tables
-/// of the simulators' files (`scene fit`, `knowledge import`). One asks a model on loopback.
+/// complete`, which needs tables of its own (complete_test.cpp kills it); and `knowledge import`, which makes this
+/// program's own tables. `scene fit` and `knowledge fit-sense` are among them where the simulators' files are. One asks
+/// a model on loopback.
 std::vector<WritingCommand> writing_commands();
 
 /// `generate` of two tasks in small homes, without `--out`.

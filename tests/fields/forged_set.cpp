@@ -118,7 +118,10 @@ ValidationReport ForgedSet::validated() {
 }
 
 ValidationReport ForgedSet::with(const std::string& file, const std::string& text) {
-  const std::string bytes = file.ends_with(".gz") ? gzip(text) : text;
+  return with_bytes(file, file.ends_with(".gz") ? gzip(text) : text);
+}
+
+ValidationReport ForgedSet::with_bytes(const std::string& file, const std::string& bytes) {
   write(file, bytes);
   if (file != "manifest.json") write("manifest.json", vouching_for(file, bytes));
   auto report = validated();
@@ -136,7 +139,7 @@ ValidationReport ForgedSet::with_database(const std::string& sql) {
     database.run(sql.c_str());
   }
   const auto bytes = read_file(forged);
-  return with(file, bytes ? *bytes : "");
+  return with_bytes(file, bytes ? *bytes : "");
 }
 
 ValidationReport ForgedSet::unchanged() { return validated(); }

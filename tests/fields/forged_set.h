@@ -26,7 +26,9 @@ class ForgedSet {
   /// All files below the folder, in order of path.
   std::vector<std::string> files() const;
 
-  /// Validates the folder with other text in a file (packed for a home), then puts the old one back.
+  /// Validates the folder with other bytes in a file, then puts the old ones back.
+  ValidationReport with_bytes(const std::string& file, const std::string& bytes);
+  /// The same with other text (packed for a home).
   ValidationReport with(const std::string& file, const std::string& text);
   /// The same with a database changed by SQL.
   ValidationReport with_database(const std::string& sql);
