@@ -1,7 +1,5 @@
 #include "cli/evaluation_backend.h"
 
-#include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -9,9 +7,8 @@
 #include <utility>
 
 #include "evaluation/evaluate.h"
-#include "exports/ai2thor_words.h"
 #include "exports/formats.h"
-#include "generator/goal_variable.h"
+#include "exports/own_scene.h"
 #include "record/manifest_record.h"
 #include "resources/resources.h"
 
@@ -22,36 +19,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* kTasks = "tasks";  // in the folder
 constexpr const char* kProgram = "program";
-
-/// What every program of python/adapters translates, and what does not change.
-constexpr std::array kTranslated{Predicate::Open,    Predicate::Closed,   Predicate::On,   Predicate::Inside,
-                                 Predicate::OnFloor, Predicate::InRoom,   Predicate::Held, Predicate::SliceOf,
-                                 Predicate::Color,   Predicate::Material, Predicate::Size};
-/// What act_virtualhome.py tells besides.
-constexpr std::array kTranslatedToVirtualhome{Predicate::PowerOn, Predicate::PowerOff, Predicate::Clean,
-                                              Predicate::Dirty};
-/// What act_behavior.py tells besides.
-constexpr std::array kTranslatedToBehavior{
-    Predicate::PowerOn, Predicate::PowerOff, Predicate::Clean,    Predicate::Dirty,  Predicate::Soaked,
-    Predicate::Dry,     Predicate::Hot,      Predicate::Cool,     Predicate::Cooked, Predicate::Raw,
-    Predicate::Burnt,   Predicate::Frozen,   Predicate::Thawed,   Predicate::Filled, Predicate::Empty,
-    Predicate::Covered, Predicate::Folded,   Predicate::Unfolded, Predicate::Sliced, Predicate::Whole,
-    Predicate::Attached};
-
-template <class List>
-bool has(const List& list, Predicate one) {
-  return std::find(list.begin(), list.end(), one) != list.end();
-}
-
-bool is_translated(const Formula& goal, const std::string& backend) {
-  const auto asked = predicates_in(goal);
-  return std::all_of(asked.begin(), asked.end(), [&](Predicate one) {
-    if (has(kTranslated, one)) return true;
-    if (backend == "ai2thor") return thor_state(one) != nullptr;
-    if (backend == "habitat") return false;  // which has no other states
-    return backend == "behavior" ? has(kTranslatedToBehavior, one) : has(kTranslatedToVirtualhome, one);
-  });
-}
 
 /// A file that the form has for each task that it expresses.
 fs::path file_of_task(const std::string& backend, const std::string& id) {
@@ -133,7 +100,7 @@ Result<BackendTasks> backend_tasks(const std::string& backend, const fs::path& d
     const auto task = tasks.task(planned.position);
     if (!task) return task.error();
     const bool expressed = fs::exists(*folder / kTasks / file_of_task(backend, id));
-    if (expressed && is_translated((*task)->goal, backend)) {
+    if (expressed && !untold_in((*task)->simulator, (*task)->goal)) {
       kept.push_back(id);
     } else {
       ++left_out;

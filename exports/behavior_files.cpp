@@ -5,6 +5,7 @@
 #include "exports/bddl.h"
 #include "exports/behavior_abilities.h"
 #include "exports/express.h"
+#include "exports/own_scene.h"
 #include "interchange/formats.h"
 
 namespace unietp {
@@ -109,6 +110,7 @@ Result<ExpressTask> express_behavior(const ExportRequest& request) {
     if (const auto lacking = without_model(task, *problem, knowledge); !lacking.empty())
       return ExpressedTask{"no model of " + lacking + " is known", nullptr};
     auto why = denied_by_omnigibson(task, problem->goal.goal, words.categories, abilities);
+    if (why.empty()) why = beyond_own_simulator(task);
     if (!why.empty()) return ExpressedTask{std::move(why), nullptr};
     return ExpressedTask{
         "", [&task, &knowledge, problem = std::move(*problem)] { return activity_files(task, problem, knowledge); }};
