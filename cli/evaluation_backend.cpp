@@ -1,7 +1,5 @@
 #include "cli/evaluation_backend.h"
 
-#include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -10,9 +8,8 @@
 
 #include "evaluation/evaluate.h"
 #include "evaluation/evaluation_manifest.h"
-#include "exports/ai2thor_words.h"
 #include "exports/formats.h"
-#include "generator/goal_variable.h"
+#include "exports/own_scene.h"
 #include "record/manifest_record.h"
 #include "resources/resources.h"
 #include "scene/simulator.h"
@@ -24,46 +21,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* kTasks = "tasks";  // in the folder
 constexpr const char* kProgram = "program";
-
-/// What every program of python/adapters translates, and what does not change.
-constexpr std::array kTranslated{Predicate::Open,    Predicate::Closed,   Predicate::On,   Predicate::Inside,
-                                 Predicate::OnFloor, Predicate::InRoom,   Predicate::Held, Predicate::SliceOf,
-                                 Predicate::Color,   Predicate::Material, Predicate::Size};
-/// What act_virtualhome.py tells besides.
-constexpr std::array kTranslatedToVirtualhome{Predicate::PowerOn, Predicate::PowerOff, Predicate::Clean,
-                                              Predicate::Dirty};
-/// What act_behavior.py tells besides.
-constexpr std::array kTranslatedToBehavior{
-    Predicate::PowerOn, Predicate::PowerOff, Predicate::Clean,    Predicate::Dirty,  Predicate::Soaked,
-    Predicate::Dry,     Predicate::Hot,      Predicate::Cool,     Predicate::Cooked, Predicate::Raw,
-    Predicate::Burnt,   Predicate::Frozen,   Predicate::Thawed,   Predicate::Filled, Predicate::Empty,
-    Predicate::Covered, Predicate::Folded,   Predicate::Unfolded, Predicate::Sliced, Predicate::Whole,
-    Predicate::Attached};
-
-template <class List>
-bool has(const List& list, Predicate one) {
-  return std::find(list.begin(), list.end(), one) != list.end();
-}
-
-bool is_translated(Predicate one, Simulator backend) {
-  switch (backend) {
-    case Simulator::Ai2thor:
-      return thor_state(one) != nullptr;
-    case Simulator::Virtualhome:
-      return has(kTranslatedToVirtualhome, one);
-    case Simulator::Habitat:
-      return false;  // which has no other states
-    case Simulator::Behavior:
-      return has(kTranslatedToBehavior, one);
-  }
-  return false;
-}
-
-bool is_translated(const Formula& goal, Simulator backend) {
-  const auto asked = predicates_in(goal);
-  return std::all_of(asked.begin(), asked.end(),
-                     [&](Predicate one) { return has(kTranslated, one) || is_translated(one, backend); });
-}
 
 /// A file that the form has for each task that it expresses.
 fs::path file_of_task(Simulator backend, const std::string& id) {
@@ -146,7 +103,7 @@ Result<BackendTasks> backend_tasks(const std::string& backend, const fs::path& d
     const auto task = tasks.task(planned.position);
     if (!task) return task.error();
     const bool expressed = fs::exists(*folder / kTasks / file_of_task(simulator, id));
-    if (expressed && is_translated((*task)->goal, simulator)) {
+    if (expressed && !untold_in((*task)->simulator, (*task)->goal)) {
       kept.push_back(id);
     } else {
       ++left_out;

@@ -39,6 +39,7 @@ FinishedTask finished(const Task& task) {
   record.layout = task.episode.layout;
   record.goal_text = to_text(specification.goal);
   record.goal_tree = specification.goal;
+  record.changes = task.episode.changes;
   record.instruction = task.instruction.text;
   DemonstrationRecord& shown = made.shown[Mode::M1];
   shown.task = task.id;

@@ -11,6 +11,7 @@
 #include "exports/ai2thor_plan.h"
 #include "exports/ai2thor_words.h"
 #include "exports/express.h"
+#include "exports/own_scene.h"
 #include "interchange/formats.h"
 #include "interchange/own_ids.h"
 #include "scene/trace.h"
@@ -241,6 +242,7 @@ Result<ExpressTask> express_ai2thor(const ExportRequest& request) {
   return ExpressTask([facts = std::move(facts), &request](const FinishedTask& task) -> Result<ExpressedTask> {
     if (task.start.simulator != Simulator::Ai2thor) return ExpressedTask{"not a task of AI2-THOR", nullptr};
     const Knowledge& knowledge = *backend_of(request.backends, task.start).knowledge;
+    if (auto why = unlisted_in_ai2thor(task, knowledge); !why.empty()) return ExpressedTask{std::move(why), nullptr};
     auto house = write_house(task, knowledge, facts);
     if (!house) return house.error();
     auto json = task_json(task, *house, knowledge, facts);

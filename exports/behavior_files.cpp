@@ -3,7 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "exports/bddl.h"
+#include "exports/behavior_abilities.h"
 #include "exports/express.h"
+#include "exports/own_scene.h"
 #include "interchange/formats.h"
 
 namespace unietp {
@@ -98,12 +100,18 @@ Result<ExportSummary> write_behavior_files(const ExportRequest& request) {
 Result<ExpressTask> express_behavior(const ExportRequest& request) {
   auto words = read_bddl_words(request.data / "bddl");
   if (!words) return words.error();
-  return ExpressTask([words = std::move(*words), &request](const FinishedTask& task) -> Result<ExpressedTask> {
+  auto abilities = read_behavior_abilities(request.data / "bddl" / "abilities.csv");
+  if (!abilities) return abilities.error();
+  return ExpressTask([words = std::move(*words), abilities = std::move(*abilities),
+                      &request](const FinishedTask& task) -> Result<ExpressedTask> {
     const Knowledge& knowledge = *backend_of(request.backends, task.start).knowledge;
     auto problem = bddl_problem(task, knowledge, words);
     if (!problem) return ExpressedTask{problem.error().message, nullptr};
     if (const auto lacking = without_model(task, *problem, knowledge); !lacking.empty())
       return ExpressedTask{"no model of " + lacking + " is known", nullptr};
+    auto why = denied_by_omnigibson(task, problem->goal.goal, words.categories, abilities);
+    if (why.empty()) why = beyond_own_simulator(task);
+    if (!why.empty()) return ExpressedTask{std::move(why), nullptr};
     return ExpressedTask{
         "", [&task, &knowledge, problem = std::move(*problem)] { return activity_files(task, problem, knowledge); }};
   });

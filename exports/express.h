@@ -51,7 +51,7 @@ Result<FormCheck> form_check(const ExportRequest& request);
 /// Why a task cannot be done in its simulator itself; "" when it can. Of a task in the profile `native`, each object
 /// that the demonstration handles is one of the simulator's own scene, or the simulator has a model of it; and the
 /// simulator's strictest form expresses the task, so that each state of the goal and each action of the demonstration
-/// is one that the simulator has.
+/// is one that the simulator has (exports/own_scene.h).
 std::string refused_in_simulator(const FinishedTask& task, const FormSupport& support, const Knowledge& knowledge);
 
 }  // namespace unietp

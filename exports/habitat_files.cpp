@@ -7,6 +7,7 @@
 #include "exports/express.h"
 #include "exports/formats.h"
 #include "exports/habitat_episode.h"
+#include "exports/own_scene.h"
 #include "exports/task_folder.h"
 #include "interchange/formats.h"
 #include "interchange/habitat_assets.h"
@@ -85,7 +86,7 @@ std::string refused_by_habitat(const FinishedTask& task) {
     if (own && node.openable && node.opening > 0)
       return node.id + " is open at the start, and the joints of " + *own + " are not known";
   }
-  return "";
+  return beyond_own_simulator(task);
 }
 
 ExportFormat habitat_format() {

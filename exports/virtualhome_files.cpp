@@ -5,6 +5,7 @@
 
 #include "core/text.h"
 #include "exports/express.h"
+#include "exports/own_scene.h"
 #include "exports/virtualhome_program.h"
 #include "exports/virtualhome_unity.h"
 #include "interchange/formats.h"
@@ -55,6 +56,7 @@ ExpressTask express(FormatFacts read, const ExportRequest& request, std::optiona
   const auto facts = std::make_shared<const FormatFacts>(std::move(read));
   return [facts, &request, unity = std::move(unity)](const FinishedTask& task) -> Result<ExpressedTask> {
     if (task.start.simulator != Simulator::Virtualhome) return ExpressedTask{"not a task of VirtualHome", nullptr};
+    if (auto why = beyond_own_simulator(task); !why.empty()) return ExpressedTask{std::move(why), nullptr};
     const Knowledge& knowledge = *backend_of(request.backends, task.start).knowledge;
     auto program =
         virtualhome_program(task.shown.at(Mode::M1), task.start, virtualhome_names(task.start, knowledge, *facts));

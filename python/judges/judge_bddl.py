@@ -6,19 +6,23 @@ read here; then the problem's goal must follow from the task's. The atoms come f
 the objects that a problem names. The trivial backend of `bddl` 3.6.0 is not used, because it has two classes of one name and so
 looks up `hot` as `on_fire`.
 
-Exit code 1: a problem was not parsed, or a goal was judged otherwise.
+Our table of what things can do or undergo in BEHAVIOR (data/bddl/abilities.csv) must be the package's.
+
+Exit code 1: a problem was not parsed, a goal was judged otherwise, or the table differs.
 """
 
 import argparse
 import csv
 import json
 import re
+import sys
 from dataclasses import dataclass
 from pathlib import Path
 
 from bddl.activity import Conditions, evaluate_goal_conditions, get_goal_conditions, get_object_scope
 from bddl.backend_abc import BDDLBackend
 from bddl.logic_base import BinaryAtomicFormula, UnaryAtomicFormula
+from bddl.object_taxonomy import ObjectTaxonomy
 
 import unietp
 from unietp.dataset import changed
@@ -32,13 +36,50 @@ RELATIONS = {"on": "ontop", "inside": "inside", "next_to": "nextto", "under": "u
 NAMES = re.compile(r"^; (\S+\.n\.\d+_\d+): (\S+)$", re.MULTILINE)  # "; platter.n.01_1: platter_80"
 SUBSTANCE = re.compile(r"(filled|covered)\((.+)\)")
 AGENT = "agent.n.01_1"
+WATER, STAIN = "water.n.06", "stain.n.01"
+DATA = Path(__file__).parents[2] / "data" / "bddl"
+PLAIN = ("cloth", "fillable", "freezable", "heatable", "openable", "slicer", "toggleable")
+COOKED_C = 70.0  # where nothing else is said
 
 
 def substances():
     """The object of a problem that is a substance of ours."""
-    table = Path(__file__).parents[2] / "data" / "bddl" / "substances.csv"
-    with table.open(newline="") as rows:
+    with (DATA / "substances.csv").open(newline="") as rows:
         return {row["substance"]: row["synset"] + "_1" for row in csv.DictReader(rows)}
+
+
+def abilities_of(abilities):
+    """What the package says of a synset in the words of our table, as tuples of ability, °C and rate."""
+    rows = {(word, None, None) for word in PLAIN if word in abilities}
+    if "sliceable" in abilities or "diceable" in abilities:
+        rows.add(("sliceable", None, None))
+    if "cookable" in abilities:
+        rows.add(("cookable", abilities["cookable"].get("cook_temperature", COOKED_C), None))
+    for word, theirs in (("heat_source", "heatSource"), ("cold_source", "coldSource")):
+        if theirs in abilities:
+            rows.add((word, abilities[theirs]["temperature"], abilities[theirs]["heating_rate"]))
+    if WATER in abilities.get("particleSource", {}).get("conditions", {}):
+        rows.add(("gives_water", None, None))
+    if "particleRemover" in abilities:
+        conditions = abilities["particleRemover"].get("conditions") or {}
+        rows.add(("saturable", None, None))
+        if conditions.get(WATER) is not None:
+            rows.add(("takes_water", None, None))
+        if conditions.get(STAIN) == []:
+            rows.add(("wipes_stains", None, None))
+    return rows
+
+
+def differing_abilities():
+    """The synsets of which our table says otherwise than the package."""
+    taxonomy = ObjectTaxonomy()
+    with (DATA / "synsets.csv").open(newline="") as rows:
+        ours = {row["synset"]: set() for row in csv.DictReader(rows)}
+    with (DATA / "abilities.csv").open(newline="") as rows:
+        for row in csv.DictReader(rows):
+            numbers = [float(row[name]) if row[name] else None for name in ("celsius", "rate_per_s")]
+            ours.setdefault(row["synset"], set()).add((row["ability"], *numbers))
+    return sorted(synset for synset, its in ours.items() if its != abilities_of(taxonomy.get_abilities(synset)))
 
 
 def literals(scene, names, synsets):
@@ -211,6 +252,8 @@ def main():
         problem = options.folder / "activity_definitions" / file.stem / "problem0.bddl"
         activity = json.loads(file.read_text())
         rows.append(judge(env, dataset.demonstration(file.stem), activity, problem.read_text(), synsets))
+    if apart := differing_abilities():
+        sys.exit(f"data/bddl/abilities.csv differs from bddl of {apart}")
     parsed = sum(row["parsed"] == "yes" for row in rows)
     states, agreed = (sum(row[name] for row in rows) for name in ("states", "agreed"))
     alone = sum(row.get("decided_by") == "last state" for row in rows)

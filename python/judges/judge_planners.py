@@ -1,15 +1,15 @@
 """Independent planners on the PDDL of a data set, for `checks/judges planners`.
 
 For each problem Fast Downward (up-fast-downward) grounds the task; in what it makes of it (sas_task.py) the stored plan must
-reach the goal, and not without any one of its steps. Then it must find a plan itself, with the first search of LAMA. Each N-th
-of these is acted out once more by unified-planning's simulator, which reads the PDDL with a parser of its own; that takes half
-a minute a problem or more, because it writes out every conditional effect in Python.
+reach the goal, and not without any one of its steps. Then it must find a plan itself, with the first search of LAMA. Of each
+N-th problem unified-planning's validator, which reads the PDDL with a parser of its own, is asked the same of the stored plan,
+of those that lack one of its steps, and of the plan that was found. Reading takes most of its time, so it reads a problem once.
 
 OUT.csv gets a row as soon as a problem is judged, so that a slow one holds up no other, and a later call goes on with those
-that have none. Problems come in an order that has nothing to do with what they are, so that those judged so far are a fair
-sample. Grounding, searching and acting out each have a limit of memory and of time of the processor; a problem that needs
-more is recorded as "not within" it. The limit of time is generous, so that the one of memory, which does not depend on how
-fast the machine is, comes first.
+that have none; where unified-planning was not asked and now is, it is asked without Fast Downward. Problems come in an order that
+has nothing to do with what they are, so that those judged so far are a fair sample. Grounding, searching and validating each have
+a limit of memory and of time of the processor; a problem that needs more is recorded as "not within" it. The limit of time is
+generous, so that the one of memory, which does not depend on how fast the machine is, comes first.
 
 Exit code 1: a problem was not grounded or solved, or a plan was judged otherwise than it should be.
 """
@@ -17,6 +17,7 @@ Exit code 1: a problem was not grounded or solved, or a plan was judged otherwis
 import argparse
 import csv
 import hashlib
+import json
 import os
 import resource
 import subprocess
@@ -28,8 +29,9 @@ from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
 import up_fast_downward
-from unified_planning.engines import UPSequentialSimulator
+from unified_planning.engines import SequentialPlanValidator
 from unified_planning.io import PDDLReader
+from unified_planning.plans import SequentialPlan
 
 from report import finish
 from sas_task import SasTask, actions_of, holds
@@ -42,7 +44,7 @@ SPARE = ("note", "judge")
 # Without them each fact is a variable of its own, which changes neither what actions do nor which plans there are.
 WITHOUT_INVARIANTS = ("--invariant-generation-max-candidates", "0")
 COLUMNS = ("task", "grounded", "stored_steps", "stored_valid", "steps_not_needed", "solved", "solution_steps", "solution_valid",
-           "unified_planning")  # fmt: skip
+           "unified_planning", "not_needed_by_unified_planning")  # fmt: skip
 
 
 # What Fast Downward's exit codes say of its limits; 24 is both.
@@ -67,12 +69,13 @@ class Limits:
             return f"not within {self.seconds} s"
         return "" if done.returncode == 0 else f"exit code {done.returncode}"
 
-    def act_out(self, problem, plan):
-        """Whether unified-planning reaches the goal with the plan in a file: "yes", "no", or why it did not say."""
-        command = [sys.executable, __file__, "--act", str(problem), str(plan)]
+    def validate(self, problem, plans):
+        """What unified-planning's validator says of a problem and plans in files: for each whether it reaches the goal, and
+        the numbers of the steps without which it does; why it did not say, as text."""
+        command = [sys.executable, __file__, "--validate", str(problem), *map(str, plans)]
         done = subprocess.run(command, capture_output=True, text=True, preexec_fn=self.set)
         if done.returncode == 0:
-            return done.stdout.strip()
+            return json.loads(done.stdout.splitlines()[-1])
         if done.returncode in (-9, -24):  # the kernel ends what has used its time
             return f"not within {self.seconds} s"
         return f"not within {self.memory} MiB" if "MemoryError" in done.stderr else f"exit code {done.returncode}"
@@ -113,28 +116,42 @@ def judged_by_downward(problem, limits, folder):
     return row
 
 
-def accepted_by_unified_planning(problem, plan):
-    """Whether its simulator reaches the goal with the plan in a file."""
-    reader = PDDLReader()
+def validated_by_unified_planning(problem, plans):
+    """For each plan in a file: whether it reaches the goal, and the numbers of the steps without which it does."""
+    reader, validator = PDDLReader(), SequentialPlanValidator()
     parsed = reader.parse_problem(str(problem.with_name("domain.pddl")), str(problem))
-    simulator = UPSequentialSimulator(parsed, error_on_failed_checks=False)
-    state = simulator.get_initial_state()
-    for action in reader.parse_plan_string(parsed, plan.read_text()).actions:
-        state = simulator.apply(state, action.action, action.actual_parameters)
-        if state is None:
-            return False
-    return simulator.is_goal(state)
+
+    def accepts(actions):
+        return bool(validator.validate(parsed, SequentialPlan(actions, parsed.environment)))
+
+    answers = []
+    for plan in plans:
+        steps = reader.parse_plan_string(parsed, plan.read_text()).actions
+        spare = [at for at in range(len(steps)) if accepts(steps[:at] + steps[at + 1 :])] if plan == plans[0] else []
+        answers.append([accepts(steps), spare])
+    return answers
 
 
-def judge(problem, limits, by_unified_planning):
+def judged_by_unified_planning(problem, limits, found):
+    """The columns of unified-planning. `found`: the file of Fast Downward's plan, if there is one."""
+    stored = problem.with_suffix(".plan")
+    said = limits.validate(problem, [stored, found] if found.exists() else [stored])
+    if isinstance(said, str):
+        return {"unified_planning": said}
+    refused = [name for name, (accepted, _) in zip(("stored", "found"), said, strict=False) if not accepted]
+    steps = [step.split()[0] for step in actions_of(stored.read_text())]
+    return {
+        "unified_planning": ", ".join(f"{name}: no" for name in refused) or "yes",
+        "not_needed_by_unified_planning": " ".join(f"{at}:{steps[at]}" for at in said[0][1]),
+    }
+
+
+def judge(problem, limits, by_unified_planning, before):
+    """`before`: the row of an earlier call; None where there is none."""
     with tempfile.TemporaryDirectory() as folder:
-        row = judged_by_downward(problem, limits, folder)
-        if by_unified_planning:
-            plans = {"stored": problem.with_suffix(".plan"), "found": Path(folder) / "sas_plan"}
-            said = {name: limits.act_out(problem, plan) for name, plan in plans.items() if plan.exists()}
-            others = [f"{name}: {verdict}" for name, verdict in said.items() if verdict != "yes"]
-            row["unified_planning"] = ", ".join(others) or "yes"
-    return row
+        row = before or judged_by_downward(problem, limits, folder)
+        more = judged_by_unified_planning(problem, limits, Path(folder) / "sas_plan") if by_unified_planning else {}
+    return row | more
 
 
 def needed(row):
@@ -145,53 +162,61 @@ def needed(row):
 
 def is_right(row):
     plans = [row.get(name) or "yes" for name in ("stored_valid", "solution_valid", "unified_planning")]
-    return row["grounded"] == row["solved"] == "yes" and set(plans) == {"yes"} and needed(row)[1] == 0
+    same = row["unified_planning"] != "yes" or row["not_needed_by_unified_planning"] == row["steps_not_needed"]
+    return row["grounded"] == row["solved"] == "yes" and set(plans) == {"yes"} and needed(row)[1] == 0 and same
 
 
 def read_rows(out):
+    """The last row of each task."""
     if not out.exists():
-        return []
+        return {}
     with out.open(newline="") as file:
-        return list(csv.DictReader(file))
+        return {row["task"]: dict.fromkeys(COLUMNS, "") | row for row in csv.DictReader(file)}
 
 
 def main():
-    if sys.argv[1:2] == ["--act"]:  # what Limits.act_out starts
-        problem, plan = map(Path, sys.argv[2:])
-        print("yes" if accepted_by_unified_planning(problem, plan) else "no")
+    if sys.argv[1:2] == ["--validate"]:  # what Limits.validate starts
+        problem, *plans = map(Path, sys.argv[2:])
+        print(json.dumps(validated_by_unified_planning(problem, plans)))
         return
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("folder", type=Path, help="what `unietp export --format pddl` wrote")
     options.add_argument("out", type=Path, help="a CSV file to write, or to go on with")
-    options.add_argument("--acted", type=int, default=40, metavar="N", help="unified-planning acts out the plans of each N-th")
-    options.add_argument("--seconds", type=int, default=300, help="of the processor, for grounding, searching and acting out each")
+    options.add_argument("--each", type=int, default=1, metavar="N", help="unified-planning validates the plans of each N-th (default: 1)")
+    options.add_argument("--seconds", type=int, default=300, help="of the processor, for grounding, searching and validating each")
     options.add_argument("--memory", type=int, default=2048, metavar="MIB", help="likewise")
     options.add_argument("--jobs", type=int, default=os.cpu_count(), help="problems at once (default: one for each processor)")
     options = options.parse_args()
     problems = [path for path in options.folder.glob("*/*.pddl") if path.stem != "domain"]
     problems.sort(key=lambda path: hashlib.sha256(path.stem.encode()).digest())
-    done = {row["task"] for row in read_rows(options.out)}
-    with options.out.open("a", newline="") as file:
+    before = read_rows(options.out)
+    with options.out.open("w", newline="") as file:
         rows = csv.DictWriter(file, COLUMNS, restval="", lineterminator="\n")
-        if not done:
-            rows.writeheader()
-        left = [(problem, number % options.acted == 0) for number, problem in enumerate(problems) if problem.stem not in done]
+        rows.writeheader()
+        rows.writerows(before.values())
+        file.flush()
+        left = []
+        for number, problem in enumerate(problems):
+            row, validated = before.get(problem.stem), number % options.each == 0
+            if row is None or (validated and not row["unified_planning"]):
+                left.append((problem, validated, row))
         limits = Limits(options.seconds, options.memory)
         with ThreadPoolExecutor(options.jobs) as jobs:
-            judged = as_completed([jobs.submit(judge, problem, limits, acted) for problem, acted in left])
+            judged = as_completed([jobs.submit(judge, problem, limits, validated, row) for problem, validated, row in left])
             for number, row in enumerate(judged, len(problems) - len(left) + 1):
                 rows.writerow(row.result())
                 file.flush()
                 print(f"\r{number} of {len(problems)}", end="", file=sys.stderr, flush=True)
     print(file=sys.stderr)
     here = {path.stem for path in problems}
-    rows = sorted((row for row in read_rows(options.out) if row["task"] in here), key=lambda row: row["task"])
+    rows = sorted((row for row in read_rows(options.out).values() if row["task"] in here), key=lambda row: row["task"])
     finish(rows, options.out, summary(rows), is_right)
 
 
 def summary(rows):
     grounded = [row for row in rows if row["grounded"] == "yes"]
-    acted = [row for row in rows if row["unified_planning"]]
+    validated = [row for row in rows if row["unified_planning"]]
+    accepted = [row for row in validated if row["unified_planning"] == "yes"]
     spare = Counter(step.split(":")[1] for row in grounded for step in row["steps_not_needed"].split())
     return (
         f"Fast Downward grounds {len(grounded)} of {len(rows)} problems, and solves "
@@ -199,7 +224,10 @@ def summary(rows):
         f"it accepts the stored plan of {sum(row['stored_valid'] == 'yes' for row in grounded)} of {len(grounded)}, and "
         f"refuses {sum(needed(row)[0] for row in grounded)} of {sum(int(row['stored_steps']) for row in grounded)} plans that "
         f"lack a step; the others lack {dict(spare)}\n"
-        f"unified-planning accepts the plans of {sum(row['unified_planning'] == 'yes' for row in acted)} of {len(acted)}"
+        f"unified-planning accepts the plans of {len(accepted)} of {len(validated)} problems, and refuses "
+        f"{sum(int(row['stored_steps']) - len(row['not_needed_by_unified_planning'].split()) for row in accepted)} of "
+        f"{sum(int(row['stored_steps']) for row in accepted)} plans that lack a step, the same as Fast Downward in "
+        f"{sum(row['not_needed_by_unified_planning'] == row['steps_not_needed'] for row in accepted)}"
     )
 
 

@@ -1,18 +1,22 @@
 #!/usr/bin/env python3
 """The stand-in for AI2-THOR as a process in the place of Unity's: what the package's controller starts, by the variable
-AI2THOR_EXECUTABLE, and talks to through two pipes. The same messages as those of AI2-THOR 5.0.0 (its fifo_server.py)."""
+AI2THOR_EXECUTABLE, and talks to through two pipes. The same messages as those of AI2-THOR 5.0.0 (its fifo_server.py). The
+variable RECORDED_PLANS names the recording of iTHOR's floor plans (recorded_plans.py), which it then has."""
 
 import json
 import os
 import struct
+from pathlib import Path
 from typing import Any, BinaryIO
 
 import msgpack
+from recorded_plans import recorded_plans
 from simulated_thor import SimulatedThor
 
 Json = dict[str, Any]
 HEADER = "!BI"  # type of a field, length
 METADATA, IMAGE, END = 1, 4, 255
+PHYSICS = "_physics"  # which the package adds to the names of floor plans
 
 
 def received(pipe: BinaryIO) -> Json | None:
@@ -31,6 +35,9 @@ class Process:
     def __init__(self) -> None:
         self.thor = SimulatedThor()
         self.size = (300, 300)
+        self.scene = ""
+        if file := os.environ.get("RECORDED_PLANS"):
+            SimulatedThor.recorded.update(recorded_plans(Path(file)))
 
     def answer(self, action: Json) -> Json:
         """The metadata of the agent after an action."""
@@ -38,12 +45,17 @@ class Process:
         state: Json = {"objects": [], "agent": {}, "lastActionSuccess": True, "errorMessage": "", "actionReturn": None}
         code = ""
         if name == "GetScenesInBuild":
-            state["actionReturn"] = ["FloorPlan1_physics"]
+            state["actionReturn"] = ["FloorPlan1_physics", *(name + PHYSICS for name in self.thor.recorded)]
         elif name == "ChangeResolution":
             self.size = (arguments["x"], arguments["y"])
         elif name == "CreateHouse":
             state = self.thor.reset(arguments["house"]).metadata
-        elif name not in ("Initialize", "Reset"):
+        elif name == "Reset":
+            self.scene = arguments["sceneName"].removesuffix(PHYSICS)
+        elif name == "Initialize":
+            if self.scene in self.thor.recorded:
+                state = self.thor.reset(self.scene).metadata
+        else:
             try:
                 state = self.thor.step(name, **arguments).metadata
             except ValueError as error:

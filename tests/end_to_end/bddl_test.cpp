@@ -28,7 +28,7 @@ using ::testing::HasSubstr;
 const fs::path& of_behavior() {
   static const ScratchFolder kScratch;
   static const fs::path kFolder = [] {
-    const auto ended = run_program({"generate", "--count", "24", "--seed", "5", "--rooms", "5", "--objects", "25",
+    const auto ended = run_program({"generate", "--count", "32", "--seed", "5", "--rooms", "5", "--objects", "25",
                                     "--simulators", "behavior", "--splits", "compositional,instance_grounding,logical",
                                     "--out", kScratch.at("behavior"), "--threads", "2"});
     EXPECT_EQ(ended.code, 0) << ended.out << ended.err;

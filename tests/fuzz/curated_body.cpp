@@ -11,6 +11,7 @@
 #include "akb/provenance.h"
 #include "bodies.h"
 #include "exports/bddl_words.h"
+#include "exports/behavior_abilities.h"
 #include "exports/virtualhome_unity.h"
 #include "fuzz_bodies.h"
 #include "grounding/home_census.h"
@@ -118,6 +119,10 @@ const std::map<std::string, std::function<void(const Folder&, Errors&)>, std::le
       {"substances.csv",
        [](const Folder& folder, Errors& errors) {
          keep_error(read_bddl_synsets(folder.path() / "substances.csv"), errors);
+       }},
+      {"abilities.csv",
+       [](const Folder& folder, Errors& errors) {
+         keep_error(read_behavior_abilities(folder.path() / "abilities.csv"), errors);
        }},
       {"virtualhome_unity.csv",
        [](const Folder& folder, Errors& errors) {
