@@ -44,19 +44,13 @@ bool may_be_common(const State& state) {
   return std::find(kNever.begin(), kNever.end(), state.predicate) == kNever.end();
 }
 
-/// A thing that a start added: its room, nullptr for any, the category of what it is on or in, its states, and how odd
-/// it is there.
+/// A thing that a start added: its room, nullptr for any, the category of what it is on or in, its states, and whether
+/// things like it may be at unusual places.
 struct Added {
   const Room* room = nullptr;
   std::string below = {};
   StateSet states = {};
-  Oddness oddness = Oddness::None;
-};
-
-/// A thing of the home that a start moved: its room now, nullptr for none, and how odd it is there.
-struct Moved {
-  const Room* room = nullptr;
-  Oddness oddness = Oddness::None;
+  bool unusual = false;
 };
 
 /// A state that the start gave a thing of the home, and all that the thing is in since.
@@ -92,7 +86,7 @@ class Decoys {
       } else if (number > 1 && is_movable(category)) {  // others come to be as many
         add_for(*knowledge().find(category), number - 1, {Added{}});
       }
-      for (const Moved& moved : moved_of(category)) move_into(moved, category);
+      for (const Room* room : rooms_of_moved(category)) move_into(room, category);
       for (const Given& given : states_given(category)) give_to_others(given);
     }
     return static_cast<int>(added_ + moved_ + restated_);
@@ -116,7 +110,7 @@ class Decoys {
     for (const std::size_t place : workspace().places().of(category)) {
       const Node& node = workspace().scene().nodes[place];
       if (node.movable && !home_.places.find(node.id))
-        added.push_back({workspace().room_of(place), category_below(node), node.states, oddness_of(workspace(), node)});
+        added.push_back({workspace().room_of(place), category_below(node), node.states});
     }
     return added;
   }
@@ -134,16 +128,16 @@ class Decoys {
     return {};
   }
 
-  /// The movable things of a category that are elsewhere in the home.
-  std::vector<Moved> moved_of(const std::string& category) {
-    std::vector<Moved> moved;
+  /// Of the movable things of a category that are elsewhere in the home: the room of each.
+  std::vector<const Room*> rooms_of_moved(const std::string& category) {
+    std::vector<const Room*> rooms;
     for (const std::size_t place : workspace().places().of(category)) {
       const Node& node = workspace().scene().nodes[place];
       const auto before = home_.places.find(node.id);
       if (node.movable && before && home_.scene.nodes[*before].pose.position != node.pose.position)
-        moved.push_back({workspace().room_of(place), oddness_of(workspace(), node)});
+        rooms.push_back(workspace().room_of(place));
     }
-    return moved;
+    return rooms;
   }
 
   /// The states that movable things of a category are in and are not in the home, once for each thing.
@@ -248,8 +242,7 @@ class Decoys {
   /// there or not as they have what was asked for there or not, of these such as are kept there about as often. Where
   /// homes do not have it there, and too few others find a place in the room, more go to other rooms where homes do not
   /// have them.
-  void move_into(const Moved& model, const std::string& asked) {
-    const Room* room = model.room;
+  void move_into(const Room* room, const std::string& asked) {
     const auto suits = [&](const std::string& category) {
       const auto* household = workspace().household();
       return household == nullptr || room == nullptr ? 1 : household->in_room(category, room->type);
@@ -270,35 +263,35 @@ class Decoys {
     for (const auto& [unlike, id] : ids) {
       if (left == 0 || tries-- == 0 || moved_ == kMostMoved) break;
       const bool strays_elsewhere = is_stray && unlike.first;
-      if (!(strays_elsewhere ? move_astray(id, model.oddness) : move_into(id, model))) continue;
+      if (!(strays_elsewhere ? move_astray(id) : move_into(id, room))) continue;
       ++moved_;
       --left;
     }
   }
 
-  bool move_into(const std::string& id, const Moved& model) {
-    return move(id, model.oddness, [this, room = model.room](const Node& host) {
+  bool move_into(const std::string& id, const Room* room) {
+    return move(id, false, [this, room](const Node& host) {
       return room == nullptr || workspace().room_of(*workspace().places().find(host.id)) == room;
     });
   }
 
   /// Into a room where homes do not have such things.
-  bool move_astray(const std::string& id, Oddness oddness) {
+  bool move_astray(const std::string& id) {
     const std::string category = home_.scene.nodes[*home_.places.find(id)].category;
-    return move(id, oddness, [this, category](const Node& host) {
+    return move(id, true, [this, category](const Node& host) {
       const Room* room = workspace().room_of(*workspace().places().find(host.id));
       return room != nullptr && !is_found_in(category, room) && is_kept_in(*knowledge().find(category), room);
     });
   }
 
-  bool move(const std::string& id, Oddness oddness, const std::function<bool(const Node&)>& accept) {
+  bool move(const std::string& id, bool unusual, const std::function<bool(const Node&)>& accept) {
     const std::size_t place = *workspace().places().find(id);
     if (!workspace().carried_by(place).empty()) return false;
     const Node before = workspace().scene().nodes[place];
     const Category& category = *knowledge().find(before.category);
-    const auto is_free_there = is_free(category, {.oddness = oddness}, draw_goal_place(category));
+    const auto is_free_there = is_free(category, {.unusual = unusual}, draw_goal_place(category));
     if (!editor_.relocate(id, [&](const Node& host) { return accept(host) && is_free_there(host); })) return false;
-    if (is_sensible(id, oddness)) return true;
+    if (is_sensible(id, unusual ? Oddness::Unusual : Oddness::None)) return true;
     editor_.replace(before);
     editor_.refresh();
     return false;
@@ -389,12 +382,12 @@ class Decoys {
       });
     if (!id) id = editor_.add_object(category.name, is_free_there);
     if (!id) return id;
-    if (!is_sensible(*id, model.oddness)) {
+    if (!is_sensible(*id, Oddness::None)) {
       editor_.remove(*id);
       return std::nullopt;
     }
     // A dirty plate stands where clean ones do not.
-    give_states(*id, model.states, is_free(category, {.room = model.room, .oddness = Oddness::Unusual}, wanted));
+    give_states(*id, model.states, is_free(category, {.room = model.room, .unusual = true}, wanted));
     return id;
   }
 
@@ -430,7 +423,7 @@ class Decoys {
   bool may_hold(const Node& host, const Category& category, const Added& model, const std::string& wanted) {
     return host.category != wanted && !places_.contains(host.category) &&
            (model.room == nullptr || workspace().room_of(*workspace().places().find(host.id)) == model.room) &&
-           (model.oddness != Oddness::None || is_usual_at(category, host.category));
+           (model.unusual || is_usual_at(category, host.category));
   }
   /// The same; no food is heated there, and slices lie on or in something that is carried: nobody leaves a slice of
   /// tomato in the toaster or on the desk.
@@ -454,11 +447,11 @@ class Decoys {
                        [&](const Household::Place& place) { return place.usual && place.receptacle == receptacle; });
   }
 
-  /// Whether a thing is not senseless where and as it is, nor odder than the model's oddness.
-  bool is_sensible(const std::string& id, Oddness model = Oddness::Unusual) {
+  /// Whether a thing is no odder where and as it is.
+  bool is_sensible(const std::string& id, Oddness most = Oddness::Unusual) {
     editor_.refresh();
     const Node& node = workspace().scene().nodes[*workspace().places().find(id)];
-    return oddness_of(workspace(), node) <= std::min(model, Oddness::Unusual);
+    return oddness_of(workspace(), node) <= most;
   }
 
   SceneEditor& editor_;

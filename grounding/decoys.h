@@ -25,8 +25,9 @@ namespace unietp {
 /// All are placed as SceneEditor places things, not where the goal puts something, nor in one place, drawn among the
 /// usual ones of their category, that a task for them could have named. Nothing of a category that the task speaks of
 /// is added or moved, and nothing is added that its words could mean. What is added or moved comes to where such things
-/// usually are, unless what it is like is at an unusual place itself, or few are in a state of that at such places;
-/// nothing stays where it would be senseless. Deterministic. How many things were added, moved or given a state.
+/// usually are, unless it is to be in a room where homes do not have them, or few are in a state that it is to be in at
+/// such places; nothing stays where it would be senseless. Deterministic. How many things were added, moved or given a
+/// state.
 int add_decoys(SceneEditor& editor, const Specification& specification, const Home& home, Rng rng);
 
 /// Categories for each one of the goal that was added to or that the home has several of.
