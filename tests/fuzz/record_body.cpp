@@ -47,7 +47,7 @@ bool wordings_body(std::string_view text) {
     check_error(wordings.error());
     return false;
   }
-  require(wordings->wordings.contains("direct"));
+  require(wordings->wordings.contains(WordingKind::Direct));
   for (const auto& [kind, wording] : wordings->wordings) require(!wording.text.empty());
   return true;
 }
