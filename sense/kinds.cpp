@@ -4,6 +4,7 @@
 
 #include "akb/row_reader.h"
 #include "core/files.h"
+#include "core/table_limits.h"
 
 namespace unietp {
 
@@ -61,10 +62,10 @@ std::string Kinds::place_role(std::string_view relation, std::string_view place)
 
 namespace {
 
-/// Whether going up from the kind ends at a root.
+/// Whether going up from the kind ends at a root, in few enough steps for those who go up by recursion.
 bool ends(const Kinds& kinds, const Kind& kind) {
   const Kind* at = &kind;
-  for (std::size_t steps = 0; steps <= kinds.all().size(); ++steps) {
+  for (std::size_t steps = 0; steps <= limits::kKindDepth; ++steps) {
     if (at->parent.empty()) return true;
     at = kinds.find(at->parent);
     if (at == nullptr) return true;  // reported as an unknown parent
@@ -110,7 +111,8 @@ Kinds read_kinds(const std::filesystem::path& path, std::vector<Error>& errors) 
       row.fail("parent", "'" + kind.parent + "' is not a kind of this table");
     } else if (!ends(all, kind)) {
       tree = false;
-      row.fail("parent", "'" + kind.name + "' is above itself");
+      row.fail("parent", "'" + kind.name + "' is above itself, or has more than " + std::to_string(limits::kKindDepth) +
+                             " kinds above it");
     }
     if (!kind.piece.empty() && all.find(kind.piece) == nullptr)
       row.fail("piece", "'" + kind.piece + "' is not a kind of this table");

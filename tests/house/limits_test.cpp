@@ -34,7 +34,7 @@ std::map<std::string, double> bounds_of_header() {
   std::map<std::string, double> bounds;
   std::string text;
   for (const char* header :
-       {"limits.h", "evaluation_limits.h", "program_limits.h", "resource_limits.h", "shape_limits.h"})
+       {"limits.h", "evaluation_limits.h", "program_limits.h", "resource_limits.h", "shape_limits.h", "table_limits.h"})
     text += *read_file(kCheckout / "core" / header);
   for (const auto& line : split(text, '\n')) {
     if (!line.starts_with("inline constexpr ")) continue;

@@ -64,6 +64,17 @@ TEST(Kinds, OfATableThatIsNoTreeAreNone) {
   }
 }
 
+/// Who goes up a line of kinds by recursion would need as much of the stack.
+TEST(Kinds, AreAtMostAHundredAboveOneAnother) {
+  const auto line = [](int kinds) {
+    std::string rows = "k0,k,ks,,all,,,\n";
+    for (int i = 1; i <= kinds; ++i) rows += "k" + std::to_string(i) + ",k,ks,k" + std::to_string(i - 1) + ",all,,,\n";
+    return problems_of(rows);
+  };
+  EXPECT_THAT(line(100), IsEmpty());
+  EXPECT_THAT(line(101), ::testing::ElementsAre(HasSubstr("has more than 100 kinds above it")));
+}
+
 TEST(Kinds, SayHowThingsAreAtAPlace) {
   const auto& kinds = test::committed_sense().kinds();
   EXPECT_EQ(kinds.place_role("on", "sink"), "in:sink");      // on or in it is the same
