@@ -175,8 +175,8 @@ std::vector<HastyReading> hasty_readings(const Formula& goal) {
   if (asked == goal) return {};
   std::vector<HastyReading> readings{{asked, false}};
   for (Formula& one : with_one_too_many(goal)) readings.push_back({std::move(one), true});
-  if (counts_some_of_a_kind(goal)) readings.push_back({without_references(asked), false});
-  if (has_always(goal)) readings.push_back({without_references(asked), true});
+  if (counts_some_of_a_kind(goal)) readings.push_back({without_references(asked), false, true});
+  if (has_always(goal)) readings.push_back({without_references(asked), true, true});
   return readings;
 }
 

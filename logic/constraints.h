@@ -29,6 +29,7 @@ std::vector<Formula> with_one_too_many(const Formula& goal);
 struct HastyReading {
   Formula goal;
   bool takes_more = false;  // a plan for it may be longer than one for the goal: it does too much
+  bool of_all = false;      // without referring phrases: all instead of all but some, any two instead of two red ones
 };
 /// The goal without its constraints, then with one too many; last, where something has to stay as it is or so many of
 /// what a phrase tells from others are counted, without its constraints and referring phrases (all instead of all but

@@ -1,4 +1,5 @@
 // The whole path: what the real program makes, and what it says of a data set that was tampered with.
+#include <algorithm>
 #include <set>
 #include <utility>
 
@@ -30,6 +31,27 @@ TEST(DataSet, HoldsEverySimulatorAndSplitAndIsProven) {
   EXPECT_EQ(verdict.tasks, kSmallCount);
   EXPECT_EQ(verdict.proven, kSmallCount);
   EXPECT_TRUE(verdict.problems.empty());
+}
+
+/// How many tempting plans are no longer than their demonstrations, counted here from the files.
+TEST(DataSet, HasTemptingPlansOfWhichVerificationSaysHowLongTheyAre) {
+  int stored = 0, no_longer = 0;
+  for (const auto& line : json_lines(small_data_set() / "demonstrations" / "M1.jsonl")) {
+    if (!line.contains("tempting")) continue;
+    ++stored;
+    const auto& steps = line["steps"];
+    const auto needed =
+        std::count_if(steps.begin(), steps.end(), [](const Json& step) { return !step.contains("tidying"); });
+    no_longer += static_cast<std::ptrdiff_t>(line["tempting"].size()) <= needed ? 1 : 0;
+  }
+  const auto report = Json::parse(run_program({"validate", small_data_set().string(), "--json"}).out);
+  EXPECT_GT(no_longer, 0);
+  EXPECT_EQ(report["constrained"], stored);
+  EXPECT_EQ(report["tempting_no_longer"], no_longer);
+  EXPECT_EQ(report["tempting_one_too_many"].get<int>() + report["tempting_of_all"].get<int>(), stored - no_longer);
+  const auto text = run_program({"validate", small_data_set().string()}).out;
+  EXPECT_THAT(text, HasSubstr("\n" + std::to_string(no_longer) +
+                              " of the plans stored for that are no longer than the demonstration; "));
 }
 
 TEST(DataSet, HasFewWordsForEachPartOfAGoal) {

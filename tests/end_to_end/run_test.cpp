@@ -83,6 +83,33 @@ TEST_F(QuotaRun, ShardsPutTogetherAreTheBytesOfOneProcess) {
   EXPECT_FALSE(std::filesystem::exists(scratch_.at("half")));
 }
 
+/// What blind policies reach is part of the report of a whole benchmark, as `unietp audit` says it.
+TEST_F(QuotaRun, VerifyingABenchmarkAuditsIt) {
+  ASSERT_EQ(make("whole").code, 0);
+  const auto ended = run_program({"validate", scratch_.at("whole"), "--json"});
+  ASSERT_EQ(ended.code, 0) << ended.out << ended.err;
+  const auto json = nlohmann::ordered_json::parse(ended.out);
+  ASSERT_TRUE(json.contains("audit")) << ended.out;
+  const auto audited = nlohmann::ordered_json::parse(run_program({"audit", scratch_.at("whole"), "--json"}).out);
+  EXPECT_EQ(json["audit"]["cells"], audited["cells"].size());
+  EXPECT_EQ(json["audit"]["leaks"].size(), audited["leaks"].get<std::size_t>());
+  EXPECT_EQ(json["audit"]["training_tasks"], 0);
+  const auto text = run_program({"validate", scratch_.at("whole")});
+  EXPECT_THAT(text.out,
+              HasSubstr("\n" + std::to_string(audited["leaks"].get<int>()) + " of " +
+                        std::to_string(audited["cells"].size()) + " cells of the audit are better than chance\n"));
+  const auto learned = run_program({"validate", scratch_.at("whole"), "--against", scratch_.at("whole"), "--json"});
+  EXPECT_EQ(learned.code, 1) << "it shares all homes with itself";
+  EXPECT_FALSE(nlohmann::ordered_json::parse(learned.out).contains("audit")) << "only a sound set is audited";
+  ASSERT_EQ(run_program({"generate", "--count", "2", "--seed", "7", "--rooms", "5", "--objects", "25", "--simulators",
+                         "habitat", "--out", scratch_.at("other")})
+                .code,
+            0);
+  const auto other = run_program({"validate", scratch_.at("other"), "--json"});
+  EXPECT_EQ(other.code, 0) << other.out;
+  EXPECT_FALSE(nlohmann::ordered_json::parse(other.out).contains("audit")) << "no benchmark";
+}
+
 TEST_F(QuotaRun, RefusesWhatIsNoPartAndMorePartsThanBlocks) {
   for (const std::string part : {"0/2", "3/2", "2", "a/b", "1/2x"}) {
     const auto ended = make("out", {"--shard", part});

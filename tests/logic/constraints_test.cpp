@@ -109,6 +109,8 @@ TEST(HastyReadings, OfCountsOfWhatAPhraseTellsFromOthersForgetThePhrase) {
             "(exists (?t - Table) (at-end (count = 3 (?a - (Mug :where (dirty ?a))) (on ?a ?t))))");
   EXPECT_EQ(to_text(readings[2].goal), "(exists (?t - Table) (at-end (count >= 2 (?a - Mug) (on ?a ?t))))");
   EXPECT_FALSE(readings[2].takes_more) << "any two are as many as two dirty ones";
+  EXPECT_TRUE(readings[2].of_all);
+  EXPECT_FALSE(readings[1].of_all);
 }
 
 TEST(HastyReadings, AreOfOrdersOfWhatStaysAndOfCounts) {
