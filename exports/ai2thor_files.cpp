@@ -11,6 +11,7 @@
 #include "exports/ai2thor_plan.h"
 #include "exports/ai2thor_words.h"
 #include "exports/express.h"
+#include "exports/moments_of_step.h"
 #include "exports/own_scene.h"
 #include "interchange/formats.h"
 #include "interchange/own_ids.h"
@@ -205,8 +206,9 @@ Result<Json> task_json(const FinishedTask& task, ThorHouse& made, const Knowledg
   ThorPlaces places = places_of(theirs.start, names, knowledge);
   std::size_t at = 0, moment = 0;
   for (const StepRecord& step : shown.steps) {
-    moment += std::max<std::size_t>(1, step.moments.size());
-    if (step.success && step.command.action != "stop") (*plan)[at++]["holds"] = goal->holding[moment];
+    Json here;
+    write_what_holds(here, goal->holding, moment, step.moments.size());
+    if (step.success && step.command.action != "stop") (*plan)[at++].update(here);
   }
   return Json{{"format", "unietp-ai2thor/1"},
               {"task", task.record.id},

@@ -5,6 +5,7 @@
 #include "exports/bddl.h"
 #include "exports/behavior_abilities.h"
 #include "exports/express.h"
+#include "exports/moments_of_step.h"
 #include "exports/own_scene.h"
 #include "interchange/formats.h"
 
@@ -50,11 +51,11 @@ Json task_json(const FinishedTask& task, const BddlProblem& problem, const Expor
   const auto& steps = task.shown.at(Mode::M1).steps;
   std::size_t moment = 0;
   for (const StepRecord& step : steps) {
-    moment += std::max<std::size_t>(1, step.moments.size());
     Json arguments = Json::array();
     for (const auto& argument : step.command.args) arguments.push_back(argument.id);
-    plan.push_back(
-        {{"action", step.command.action}, {"args", std::move(arguments)}, {"holds", problem.goal.holding[moment]}});
+    Json here{{"action", step.command.action}, {"args", std::move(arguments)}};
+    write_what_holds(here, problem.goal.holding, moment, step.moments.size());
+    plan.push_back(std::move(here));
   }
   return {
       {"format", "unietp-behavior/1"},

@@ -156,10 +156,56 @@ TEST_F(ExportAi2thor, TheGoalHoldsAtTheEndOfTheDemonstrationAndNotAtItsStart) {
       };
       add(json["goal"]["holds"]);
       EXPECT_FALSE(ltlf_holds(json["goal"]["formula"], trace));
-      for (const auto& step : json["plan"]) add(step["holds"]);
+      for (const auto& step : json["plan"]) {
+        for (const auto& moment : step.contains("moments") ? step["moments"] : Json::array({step["holds"]}))
+          add(moment);
+      }
       EXPECT_TRUE(ltlf_holds(json["goal"]["formula"], trace));
     }
   }
+}
+
+/// Composite actions show in the plan each moment that the demonstration passes through, with what holds then: the same
+/// of each proposition that the format `ltlf` has under the same name.
+TEST_F(ExportAi2thor, EachMomentOfACompositeActionIsInThePlan) {
+  std::size_t composite = 0, compared = 0;
+  for (const auto& [tasks, out] : {std::pair(small_data_set(), folder_->at("small")),
+                                   std::pair(fs::path(folder_->at("tasks")), folder_->at("out"))}) {
+    const std::string ltlf = out + "-ltlf";
+    must({"export", tasks.string(), "--format", "ltlf", "--out", ltlf});
+    std::map<std::string, Json> shown, in_ltlf;
+    for (auto& line : json_lines(tasks / "demonstrations" / "M1.jsonl")) shown[line["task"]] = line["steps"];
+    for (auto& line : json_lines(fs::path(ltlf) / "goals.jsonl")) in_ltlf[line["task"]] = line;
+    for (const auto& task : tasks_in(out)) {
+      SCOPED_TRACE(task);
+      const Json json = json_of(fs::path(out) / (task + ".json"));
+      std::vector<std::set<std::string>> held{json["goal"]["holds"]};
+      for (std::size_t i = 0; i < json["plan"].size(); ++i) {
+        const Json &step = json["plan"][i], &recorded = shown[task][i];
+        const Json moments = step.value("moments", Json::array({step["holds"]}));
+        ASSERT_EQ(moments.size(), recorded.contains("moments") ? recorded["moments"].size() : 1U);
+        EXPECT_EQ(moments.back(), step["holds"]);
+        composite += recorded.contains("moments") ? 1 : 0;
+        for (const auto& moment : moments) held.push_back(moment);
+      }
+      if (!in_ltlf.contains(task)) continue;
+      std::set<std::string> ours;
+      for (const auto& one : json["goal"]["propositions"]) ours.insert(one["name"]);
+      const Json& trace = in_ltlf[task]["traces"]["M1"];
+      ASSERT_GE(trace.size(), held.size());  // `stop` is a step there
+      for (std::size_t i = 0; i < held.size(); ++i) {
+        const std::set<std::string> theirs = trace[i];
+        for (const auto& one : in_ltlf[task]["propositions"]) {
+          const std::string name = one["name"];
+          if (!ours.contains(name)) continue;
+          EXPECT_EQ(held[i].contains(name), theirs.contains(name)) << name << " at moment " << i;
+          ++compared;
+        }
+      }
+    }
+  }
+  EXPECT_GT(composite, 0U);
+  EXPECT_GT(compared, 0U);
 }
 
 TEST_F(ExportAi2thor, GivesTheSameBytesAgain) {

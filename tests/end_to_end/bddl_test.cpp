@@ -292,7 +292,7 @@ TEST(ExportBehavior, EachFormulaHasTheTruthOfOursAfterEveryStep) {
   const auto ended = run_program({"export", of_behavior().string(), "--format", "behavior", "--out", out.string()});
   ASSERT_EQ(ended.code, 0) << ended.err;
   SchemaChecker checker;
-  std::size_t expressed = 0, with_time = 0;
+  std::size_t expressed = 0, with_time = 0, composite = 0;
   for (const auto& [task, start, shown] : shown_tasks()) {
     const fs::path file = out / (task.id + ".json");
     if (!fs::exists(file)) continue;
@@ -336,10 +336,17 @@ TEST(ExportBehavior, EachFormulaHasTheTruthOfOursAfterEveryStep) {
       if (n > 0) {
         const StepRecord& step = shown.steps[n - 1];
         const auto moments = step.moments.empty() ? std::vector{step.changes} : step.moments;
+        const auto& planned = json["plan"][n - 1];
+        const auto listed = planned.value("moments", nlohmann::ordered_json::array({planned["holds"]}));
+        ASSERT_EQ(listed.size(), moments.size());
+        EXPECT_EQ(listed.back(), planned["holds"]);
+        composite += moments.size() > 1 ? 1 : 0;
         for (std::size_t i = 0; i < moments.size(); ++i) {
           changes.push_back(moments[i]);
           scene = apply(scene, moments[i]);
-          if (i + 1 < moments.size()) see(facts_of(problem, scene));
+          if (i + 1 == moments.size()) continue;
+          see(facts_of(problem, scene));
+          EXPECT_EQ(trace.back(), std::set<std::string>(listed[i].begin(), listed[i].end())) << "in step " << n;
         }
       }
       const Facts facts = facts_of(problem, scene);
@@ -354,6 +361,7 @@ TEST(ExportBehavior, EachFormulaHasTheTruthOfOursAfterEveryStep) {
   }
   EXPECT_GE(10 * expressed, 8 * shown_tasks().size()) << *read_file(out / "left_out.jsonl");
   EXPECT_GE(with_time, 1U);
+  EXPECT_GE(composite, 1U) << "actions of several moments";
 }
 
 /// The table comes from BEHAVIOR's own; what stands there now is held against it.
