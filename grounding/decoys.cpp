@@ -163,15 +163,19 @@ class Decoys {
     return whole == sliced_.end() ? std::string_view(category.name) : whole->second;
   }
 
+  /// Of a toilet brush no place that the home has is usual.
+  bool has_usual_place(const Category& category) {
+    const auto& all = workspace().household()->places_of(kept_as(category));
+    return std::any_of(all.begin(), all.end(), [](const auto& place) { return place.usual; });
+  }
   static bool is_wall_thing(const Category& category) {
     return std::find(category.kinds.begin(), category.kinds.end(), "wall_thing") != category.kinds.end();
   }
 
   bool can_be_decoy(const Category& category) {
     const auto* household = workspace().household();
-    // What belongs on a wall is nowhere for company.
     return category.movable && !spoken_.contains(category.name) && !is_wall_thing(category) &&
-           (household == nullptr || !household->places_of(kept_as(category)).empty());
+           (household == nullptr || has_usual_place(category));
   }
 
   bool is_spoken_of(const Category& category) {
@@ -436,14 +440,12 @@ class Decoys {
     };
   }
 
-  /// Whether such things are usually on or in such a receptacle; true where none of their places is usual.
+  /// Whether such things are usually on or in such a receptacle.
   bool is_usual_at(const Category& category, const std::string& receptacle) {
     const auto* household = workspace().household();
     if (household == nullptr) return true;
     const auto& all = household->places_of(kept_as(category));
-    const auto is_usual = [](const Household::Place& place) { return place.usual; };
-    return std::none_of(all.begin(), all.end(), is_usual) ||
-           std::any_of(all.begin(), all.end(),
+    return std::any_of(all.begin(), all.end(),
                        [&](const Household::Place& place) { return place.usual && place.receptacle == receptacle; });
   }
 
