@@ -206,9 +206,11 @@ Result<Json> task_json(const FinishedTask& task, ThorHouse& made, const Knowledg
   ThorPlaces places = places_of(theirs.start, names, knowledge);
   std::size_t at = 0, moment = 0;
   for (const StepRecord& step : shown.steps) {
-    Json here;
-    write_what_holds(here, goal->holding, moment, step.moments.size());
-    if (step.success && step.command.action != "stop") (*plan)[at++].update(here);
+    const auto moments = moments_of_step(goal->holding, moment, step.moments.size());
+    if (!step.success || step.command.action == "stop") continue;
+    Json& planned = (*plan)[at++];
+    planned["holds"] = moments.back();
+    if (moments.size() > 1) planned["moments"] = moments;
   }
   return Json{{"format", "unietp-ai2thor/1"},
               {"task", task.record.id},

@@ -53,8 +53,9 @@ Json task_json(const FinishedTask& task, const BddlProblem& problem, const Expor
   for (const StepRecord& step : steps) {
     Json arguments = Json::array();
     for (const auto& argument : step.command.args) arguments.push_back(argument.id);
-    Json here{{"action", step.command.action}, {"args", std::move(arguments)}};
-    write_what_holds(here, problem.goal.holding, moment, step.moments.size());
+    const auto moments = moments_of_step(problem.goal.holding, moment, step.moments.size());
+    Json here{{"action", step.command.action}, {"args", std::move(arguments)}, {"holds", moments.back()}};
+    if (moments.size() > 1) here["moments"] = moments;
     plan.push_back(std::move(here));
   }
   return {

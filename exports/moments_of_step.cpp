@@ -4,13 +4,12 @@
 
 namespace unietp {
 
-void write_what_holds(nlohmann::ordered_json& step, const std::vector<std::vector<std::string>>& holding,
-                      std::size_t& at, std::size_t moments) {
-  auto each = nlohmann::ordered_json::array();
-  for (std::size_t i = 0; i < moments; ++i) each.push_back(holding[at + 1 + i]);
-  at += std::max<std::size_t>(1, moments);
-  step["holds"] = holding[at];
-  if (!each.empty()) step["moments"] = std::move(each);
+std::vector<std::vector<std::string>> moments_of_step(const std::vector<std::vector<std::string>>& holding,
+                                                      std::size_t& at, std::size_t moments) {
+  const auto first = holding.begin() + static_cast<std::ptrdiff_t>(at) + 1;
+  const std::size_t passed = std::max<std::size_t>(1, moments);
+  at += passed;
+  return {first, first + static_cast<std::ptrdiff_t>(passed)};
 }
 
 }  // namespace unietp

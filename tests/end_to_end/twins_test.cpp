@@ -1,13 +1,17 @@
 // The demonstrations of M2 and M3 in a data set follow from what the mode told and showed: the expert does the same
 // again behind a record of that, with no world, and in a world that lacks what it uses and sees last of all it does the
-// same until that shows. On the folder in UNIETP_DATASET where it is set.
+// same until that shows; and what is marked as search was needed by what was known then. On the folder in
+// UNIETP_DATASET where it is set.
+#include <algorithm>
 #include <map>
 
 #include <gtest/gtest.h>
 
+#include "data_set.h"
 #include "expert/belief_expert.h"
 #include "expert/witness.h"
 #include "grounding/household.h"
+#include "search_judge.h"
 #include "task_sources.h"
 
 namespace unietp {
@@ -63,6 +67,15 @@ Demonstration demonstration_of(const TaskSource& tasks, std::size_t position, Mo
   return demonstration;
 }
 
+/// Which steps of a demonstration are marked as search.
+std::vector<bool> search_marks(const TaskSource& tasks, std::size_t position, Mode mode) {
+  const auto stored = tasks.demonstration(position, mode);
+  EXPECT_TRUE(stored) << format(stored.error());
+  std::vector<bool> search;
+  for (const StepRecord& step : stored->steps) search.push_back(step.search);
+  return search;
+}
+
 void follow_from_what_was_told_and_shown(Mode mode) {
   const TaskSource tasks = source();
   std::size_t shown = 0, twins = 0, distinguishable = 0;
@@ -90,6 +103,73 @@ void follow_from_what_was_told_and_shown(Mode mode) {
   std::printf("%zu demonstrations, %zu twins, %zu of them told apart in the end\n", shown, twins, distinguishable);
   EXPECT_GT(twins, 0U);
   EXPECT_EQ(distinguishable, twins) << "a twin lacks something that is used";
+}
+
+/// Whether search was needless is judged from what was known at that moment: once all that the goal needs was seen,
+/// nothing is looked for any more, but for what cannot be named otherwise. At most this share of the search is needless
+/// in large data sets: most of it are the last of several equal turns, with which a look around is done to its end.
+constexpr double kNeedless = 0.02;
+
+void search_no_longer_than_needed(Mode mode) {
+  const TaskSource tasks = source();
+  std::size_t judged = 0, steps = 0, searches = 0, late = 0;
+  std::string needless;
+  std::size_t needless_steps = 0, needless_in = 0;
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    SCOPED_TRACE(tasks.listing()[i].id);
+    const auto task = tasks.task(i);
+    ASSERT_TRUE(task) << format(task.error());
+    if (speaks_of_every((*task)->goal)) continue;
+    const auto [seen, done] = played(**task, mode, (*task)->start);
+    const auto search = search_marks(tasks, i, mode);
+    ASSERT_EQ(search.size(), done.size());
+    const JudgedSearch verdict = judged_search(**task, mode, seen, done, search);
+    for (const std::size_t step : verdict.needless)
+      needless += "\n" + tasks.listing()[i].id + " step " + std::to_string(step + 1) + " " + to_text(done[step]) +
+                  ", all was seen after " + std::to_string(verdict.enough);
+    ++judged;
+    searches += static_cast<std::size_t>(std::count(search.begin(), search.end(), true));
+    late += verdict.late.size();
+    steps += done.size();
+    needless_steps += verdict.needless.size();
+    needless_in += verdict.needless.empty() ? 0 : 1;
+  }
+  std::printf(
+      "%zu demonstrations of %zu steps, %zu of them search, %zu of those when all had been seen, %zu needless, "
+      "in %zu demonstrations%s\n",
+      judged, steps, searches, late, needless_steps, needless_in, needless.c_str());
+  EXPECT_GT(judged, 0U);
+  EXPECT_LE(static_cast<double>(needless_steps), kNeedless * static_cast<double>(searches)) << needless;
+}
+
+TEST(DemonstrationsOfM2, SearchNoLongerThanNeeded) { search_no_longer_than_needed(Mode::M2); }
+
+TEST(DemonstrationsOfM3, SearchNoLongerThanNeeded) { search_no_longer_than_needed(Mode::M3); }
+
+/// A look around when all is done.
+TEST(DemonstrationsOfM2AndM3, ANeedlessLookIsFound) {
+  const TaskSource tasks = source(data_set_in_all_modes());
+  for (const Mode mode : {Mode::M2, Mode::M3}) {
+    const auto task = tasks.task(0);
+    ASSERT_TRUE(task) << format(task.error());
+    const Witnessed shown = played(**task, mode, (*task)->start).seen;
+    auto executions =
+        *ExecutionTree::of((*task)->goal, (*task)->start, *(*task)->data.knowledge, *(*task)->data.profile);
+    EpisodeWindow window(executions, mode);
+    WitnessWindow witness(window);
+    std::vector<bool> search = search_marks(tasks, 0, mode);
+    const std::size_t planted = search.size() - 1;
+    search.insert(search.begin() + static_cast<std::ptrdiff_t>(planted), true);
+    for (const Action& action : shown.actions) {
+      if (action.type == ActionType::Stop) {
+        EXPECT_TRUE(witness.act({ActionType::TurnLeft, {}}).success);
+      }
+      EXPECT_TRUE(witness.act(action).success);
+    }
+    ASSERT_TRUE(window.reaches_goal());
+    const auto verdict = judged_search(**task, mode, witness.seen(), window.done(), search);
+    EXPECT_EQ(verdict.needless, std::vector{planted});
+  }
 }
 
 TEST(DemonstrationsOfM2, FollowFromWhatWasToldAndShown) { follow_from_what_was_told_and_shown(Mode::M2); }

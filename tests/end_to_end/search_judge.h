@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "environment/task.h"
+#include "expert/witness.h"
+#include "simulation/mode_rules.h"
+
+namespace unietp {
+
+/// A demonstration in M2 or M3, as somebody judges it who knows what was told and shown up to each moment, and no more.
+struct JudgedSearch {
+  /// Steps done when all that the goal needs had been seen or told: as many things of each kind as the goal asks for,
+  /// one of the tools for each state that it wants, and each thing that the steps from there on act on, but for those
+  /// that are search; seen where more is done with it than to go there. The number of all steps where that never is so.
+  std::size_t enough = 0;
+  /// Steps from there on that are marked as search, but for those that lead to what is used next.
+  std::vector<std::size_t> late;
+  std::vector<std::size_t> needless;  // those of them without which the rest reaches the goal by the rules of the mode
+};
+
+/// `seen`: what the expert was shown and did. `done`: the same actions on the ids of the home. `search`: which of them
+/// are marked so.
+JudgedSearch judged_search(const EnvironmentTask& task, Mode mode, const Witnessed& seen,
+                           const std::vector<Action>& done, const std::vector<bool>& search);
+
+/// Whether the goal speaks of all things of a kind, so that it never is certain that none was overlooked.
+bool speaks_of_every(const Formula& goal);
+
+}  // namespace unietp
