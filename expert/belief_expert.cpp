@@ -430,7 +430,7 @@ class BeliefExpert {
       if (!act(action)) return false;
       if (points()) note_place(action);
       if (!points() && action.type == ActionType::GoTo) at_ = action.args.front();
-      if (action != way.back() && found_enough()) break;
+      if (found_enough()) break;
     }
     const bool opens = look.opens && (way.empty() || look.before > 0 || !found_enough());
     if (opens && !belief_.find(look.id)->states.has(Predicate::Open)) {
