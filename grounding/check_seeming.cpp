@@ -1,7 +1,10 @@
 #include "grounding/check_seeming.h"
 
 #include <algorithm>
+#include <array>
+#include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -14,7 +17,10 @@ using Op = Formula::Op;
 
 class SeemingRelations {
  public:
-  SeemingRelations(const Trace& trace, const Knowledge& knowledge) : trace_(trace), knowledge_(knowledge) {}
+  SeemingRelations(const Formula& goal, const Trace& trace, const Knowledge& knowledge)
+      : trace_(trace), knowledge_(knowledge) {
+    note_moved(goal);
+  }
 
   void read(const Formula& formula) {
     if (formula.op == Op::Atom) compare(formula);
@@ -60,7 +66,11 @@ class SeemingRelations {
   void compare(const Formula& fact) {
     if (found_) return;
     if (fact.predicate == Predicate::Clean && !describing_) return tell_clean(members(fact.terms[0]), {});
-    if (fact.predicate == Predicate::NextTo && !describing_) return find_in_the_wash(members(fact.terms[1]));
+    if (fact.predicate == Predicate::NextTo && !describing_) {
+      find_in_the_wash(members(fact.terms[1]));
+      if (!found_) find_stored(fact.terms[1]);
+      return;
+    }
     if (fact.predicate != Predicate::On && fact.predicate != Predicate::Inside) return;
     const Facts& now = trace_.states.front();
     const auto things = members(fact.terms[0]), places = members(fact.terms[1]);
@@ -75,7 +85,42 @@ class SeemingRelations {
         return;
       }
     if (describing_) return;
-    denying_ > 0 ? find_taken_dirty(things, places) : tell_clean(things, places);
+    if (denying_ > 0) return find_taken_dirty(things, places);
+    tell_clean(things, places);
+    if (!found_) find_stored(fact.terms[1]);
+  }
+
+  /// The variables of things that the goal puts somewhere or wants held.
+  void note_moved(const Formula& formula) {
+    using enum Predicate;
+    constexpr std::array kMoves{On, Inside, OnFloor, InRoom, Held, NextTo};
+    if (formula.op == Op::Atom && formula.terms[0].kind == Term::Kind::Variable &&
+        std::find(kMoves.begin(), kMoves.end(), formula.predicate) != kMoves.end())
+      moved_.insert(formula.terms[0].name);
+    for (const Formula& child : formula.children) note_moved(child);
+  }
+
+  /// Finds what all dishes and the like, to which something is to be put, are put away in: nobody wants toast on a
+  /// plate in the cabinet. What the goal puts somewhere else is taken out.
+  void find_stored(const Term& term) {
+    if (term.kind != Term::Kind::Variable || moved_.contains(term.name)) return;
+    const auto places = members(term);
+    const auto is_stored = [&](EntityIndex place) {
+      return is_movable(place) && trace_.states.front().any_related(Predicate::Inside, place,
+                                                                    [&](EntityIndex around) { return stores(around); });
+    };
+    if (places.empty() || !std::all_of(places.begin(), places.end(), is_stored)) return;
+    found_ = {RejectionReason::PartHolds, trace_.entities[places.front()].id + " is put away", {}};
+  }
+
+  /// A cabinet, a drawer, and what washes.
+  bool stores(EntityIndex place) const {
+    constexpr std::array<std::string_view, 6> kStores{"cabinet",  "drawer",     "dresser",
+                                                      "wardrobe", "dishwasher", "washer"};
+    const Category* category = knowledge_.find(trace_.entities[place].category);
+    return category != nullptr && std::any_of(category->kinds.begin(), category->kinds.end(), [&](const auto& kind) {
+             return std::find(kStores.begin(), kStores.end(), kind) != kStores.end();
+           });
   }
 
   /// Finds a dirty thing that is to be taken out of where such things are washed.
@@ -145,6 +190,7 @@ class SeemingRelations {
 
   const Trace& trace_;
   const Knowledge& knowledge_;
+  std::set<std::string, std::less<>> moved_;           // variables
   std::vector<std::pair<std::string, Domain>> scope_;  // bound variables, innermost last
   bool describing_ = false;                            // within the description of what is bound
   int denying_ = 0;                                    // counts of zero around
@@ -154,7 +200,7 @@ class SeemingRelations {
 }  // namespace
 
 std::optional<GroundingFailure> check_seeming(const Formula& goal, const Trace& trace, const Knowledge& knowledge) {
-  SeemingRelations relations(trace, knowledge);
+  SeemingRelations relations(goal, trace, knowledge);
   relations.read(goal);
   return relations.found();
 }

@@ -16,8 +16,8 @@ namespace unietp {
 ///
 /// The same of things that are to be washed when some are clean already, and of clean things that are to go where such
 /// things are washed: who asks to wash "every plate", or to put "a plate" in the dishwasher, means dirty ones. And of
-/// what is to be put next to a thing in the sink, or of dirty things that are to be taken out of it. `trace` has at
-/// least one state.
+/// what is to be put next to a thing in the sink, of dirty things that are to be taken out of it, and of what is to be
+/// put on, in or next to a thing that is put away in a cabinet and stays there. `trace` has at least one state.
 std::optional<GroundingFailure> check_seeming(const Formula& goal, const Trace& trace, const Knowledge& knowledge);
 
 }  // namespace unietp

@@ -19,6 +19,7 @@ namespace {
 
 constexpr int kTriesPerDecoy = 4, kTriesPerMoved = 3, kTriesPerRestated = 6;
 constexpr std::size_t kMostAdded = 20;  // to one start
+constexpr int kLeastDecoys = 4;         // for each category that was added to, also at unusual places
 constexpr std::size_t kMostMoved = 24;
 constexpr std::size_t kMostRestated = 15;
 
@@ -223,17 +224,27 @@ class Decoys {
     return alike;
   }
 
-  void add_for(const Category& asked, int number, const std::vector<Added>& models) {
-    int left = kDecoys, tries = kTriesPerDecoy * kDecoys;
+  /// At usual places first; where too few find one, more come to unusual places.
+  void add_for(const Category& asked, int number, std::vector<Added> models) {
+    const int added = add_for(asked, number, models, kDecoys);
+    for (Added& model : models) model.unusual = true;
+    if (added < kLeastDecoys) add_for(asked, number, models, kLeastDecoys - added);
+  }
+
+  /// How many were added, at most `wanted`.
+  int add_for(const Category& asked, int number, const std::vector<Added>& models, int wanted) {
+    int left = wanted, tries = kTriesPerDecoy * kDecoys;
     for (const Category* category : like(asked, number, models.front())) {
       if (left == 0 || tries == 0 || added_ + models.size() > kMostAdded) break;
       const bool suits =
           std::all_of(models.begin(), models.end(), [&](const Added& one) { return is_kept_in(*category, one.room); });
       if (!suits || is_spoken_of(*category)) continue;
       --tries;
-      if (add_like_each(*category, models)) --left;
+      if (!add_like_each(*category, models)) continue;
+      --left;
       spoken_.insert(category->name);  // each once
     }
+    return wanted - left;
   }
 
   /// Whether homes have such things in the room.
@@ -386,7 +397,7 @@ class Decoys {
       });
     if (!id) id = editor_.add_object(category.name, is_free_there);
     if (!id) return id;
-    if (!is_sensible(*id, Oddness::None)) {
+    if (!is_sensible(*id, model.unusual ? Oddness::Unusual : Oddness::None)) {
       editor_.remove(*id);
       return std::nullopt;
     }
@@ -435,7 +446,7 @@ class Decoys {
     return [this, &category, model, wanted = std::move(wanted)](const Node& host) {
       const auto* household = workspace().household();
       const bool heats = household != nullptr && household->passes(host.category) && !household->washes(host.category);
-      const bool suits = host.movable || !sliced_.contains(category.name);
+      const bool suits = host.movable || model.unusual || !sliced_.contains(category.name);
       return may_hold(host, category, model, wanted) && !heats && suits;
     };
   }

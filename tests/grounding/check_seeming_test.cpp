@@ -23,16 +23,17 @@ struct Dirt {
   std::vector<std::string> dirty, clean;
 };
 
-/// An apple, two bowls, a counter, a table, a fridge and a sink, of which the facts hold.
+/// An apple, two bowls, a counter, a table, a fridge, a sink and a cabinet, of which the facts hold.
 Trace home_with(const std::vector<Fact>& facts, const Dirt& dirt = {}) {
   Trace trace;
-  const std::array<std::array<std::string, 2>, 7> objects{{{"apple", "Apple"},
+  const std::array<std::array<std::string, 2>, 8> objects{{{"apple", "Apple"},
                                                            {"bowl_1", "Bowl"},
                                                            {"bowl_2", "Bowl"},
                                                            {"counter", "CounterTop"},
                                                            {"table", "DiningTable"},
                                                            {"fridge", "Fridge"},
-                                                           {"sink", "Sink"}}};
+                                                           {"sink", "Sink"},
+                                                           {"cabinet", "Cabinet"}}};
   for (const auto& [id, category] : objects) trace.entities.push_back({Entity::Kind::Object, id, category, ""});
   const auto index = [&](const std::string& id) {
     EntityIndex at;
@@ -104,6 +105,18 @@ TEST(Seeming, IsNotAskedOfDirtyThingsThatWaitInTheSink) {
   const std::string out = "(exists (?b - Sink) (at-end (count = 0 (?a - Bowl) (inside ?a ?b))))";
   EXPECT_TRUE(seems(out, {{"bowl_1", Inside, "sink"}}, {{"bowl_1"}, {}}));
   EXPECT_FALSE(seems(out, {{"bowl_1", Inside, "sink"}}, {{}, {"bowl_1"}}));
+}
+
+TEST(Seeming, IsNotAskedOfABowlThatIsPutAway) {
+  const std::string into = "(exists (?a - Apple) (exists (?b - Bowl) (at-end (inside ?a ?b))))",
+                    and_on =
+                        "(exists (?a - Apple) (exists (?b - Bowl) (exists (?c - DiningTable) (at-end (and (inside ?a "
+                        "?b) (on ?b ?c))))))";
+  const std::vector<Fact> stored{{"bowl_1", Inside, "cabinet"}, {"bowl_2", Inside, "cabinet"}};
+  EXPECT_TRUE(seems(into, stored));
+  EXPECT_FALSE(seems(and_on, stored));  // it is taken out
+  EXPECT_FALSE(seems(into, {{"bowl_1", Inside, "cabinet"}, {"bowl_2", On, "table"}}));
+  EXPECT_FALSE(seems(into, {{"bowl_1", Inside, "fridge"}, {"bowl_2", Inside, "fridge"}}));
 }
 
 TEST(Seeming, EndsWhereContactsGoInACircle) {
