@@ -400,7 +400,7 @@ class Writer {
     if (is_everyday() && text.starts_with("Choose the ")) return std::nullopt;
     // Nobody closes "the place where we wash our hands".
     if (text.find(" the place where ") != text.npos || text.find(" the spot where ") != text.npos) return std::nullopt;
-    if (is_everyday() && judge_.may_mean_another(text)) return std::nullopt;
+    if (options_.tells_apart && is_everyday() && judge_.may_mean_another(text)) return std::nullopt;
     if (!judge_.reads_back(text) || !style_fault(text, style, specification_.goal, options_.around, nouns_).empty())
       return std::nullopt;
     return Instruction{text,  "grammar",

@@ -32,7 +32,8 @@ struct WritingOptions {
   std::vector<std::string> around;  // categories in the start scene: what a text may name beside the goal (aside)
   const Scene* home = nullptr;      // the start scene, which an aside is about and readings are held against
   std::span<const std::string> phrasings_of_template = {};  // with slots (templates/phrasing.h); they outlive the call
-  bool spells_out = true;  // a goal that nothing else says, operator by operator: "for every mug, in the end, …"
+  bool spells_out = true;    // a goal that nothing else says, operator by operator: "for every mug, in the end, …"
+  bool tells_apart = false;  // uses no name that another thing of the home may be called (EverydayNames::look_alikes)
 };
 
 /// Words a goal in English: every object, count, quantifier, order and referring constraint, and nothing else.

@@ -45,8 +45,7 @@ bool may_be_common(const State& state) {
   return std::find(kNever.begin(), kNever.end(), state.predicate) == kNever.end();
 }
 
-/// A thing that a start added: its room, nullptr for any, the category of what it is on or in, its states, and whether
-/// things like it may be at unusual places.
+/// A thing that a start added: its room or nullptr, what it is on or in, and whether others may be at unusual places.
 struct Added {
   const Room* room = nullptr;
   std::string below = {};
@@ -164,19 +163,13 @@ class Decoys {
     return whole == sliced_.end() ? std::string_view(category.name) : whole->second;
   }
 
-  /// Of a toilet brush no place that the home has is usual.
-  bool has_usual_place(const Category& category) {
-    const auto& all = workspace().household()->places_of(kept_as(category));
-    return std::any_of(all.begin(), all.end(), [](const auto& place) { return place.usual; });
-  }
   static bool is_wall_thing(const Category& category) {
     return std::find(category.kinds.begin(), category.kinds.end(), "wall_thing") != category.kinds.end();
   }
 
   bool can_be_decoy(const Category& category) {
-    const auto* household = workspace().household();
     return category.movable && !spoken_.contains(category.name) && !is_wall_thing(category) &&
-           (household == nullptr || has_usual_place(category));
+           is_usual_at(category, "");
   }
 
   bool is_spoken_of(const Category& category) {
@@ -433,8 +426,8 @@ class Decoys {
             household->place(kept_as(category), Predicate::Inside, receptacle) != nullptr);
   }
 
-  /// Whether a receptacle is in the room of the model, not where this task, or one for the thing itself, puts things,
-  /// and no odder for the thing than the model's place is.
+  /// Whether a receptacle is in the room, usual if it has to be, and not where this task or one for the thing puts
+  /// things.
   bool may_hold(const Node& host, const Category& category, const Added& model, const std::string& wanted) {
     return host.category != wanted && !places_.contains(host.category) &&
            (model.room == nullptr || workspace().room_of(*workspace().places().find(host.id)) == model.room) &&
@@ -451,13 +444,13 @@ class Decoys {
     };
   }
 
-  /// Whether such things are usually on or in such a receptacle.
-  bool is_usual_at(const Category& category, const std::string& receptacle) {
-    const auto* household = workspace().household();
-    if (household == nullptr) return true;
-    const auto& all = household->places_of(kept_as(category));
-    return std::any_of(all.begin(), all.end(),
-                       [&](const Household::Place& place) { return place.usual && place.receptacle == receptacle; });
+  /// Whether such things are usually on or in such a receptacle, or in any for ""; true without a household.
+  bool is_usual_at(const Category& category, std::string_view receptacle) {
+    if (workspace().household() == nullptr) return true;
+    const auto& all = workspace().household()->places_of(kept_as(category));
+    return std::any_of(all.begin(), all.end(), [&](const Household::Place& place) {
+      return place.usual && (receptacle.empty() || place.receptacle == receptacle);
+    });
   }
 
   /// Whether a thing is no odder where and as it is.

@@ -223,7 +223,7 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
   const auto categories = known.places ? categories_in(start, *known.places) : categories_in(start);
   auto instruction =
       instruct(specification, backend, configuration.english,
-               {configuration.phrasings, categories, &start, source.instructions, plan.least == Grade::Senseless},
+               {configuration.phrasings, categories, &start, source.instructions, plan.least == Grade::Senseless, true},
                wording_stream(configuration.seed, slot.index, plan.attempt));
   if (auto* why = std::get_if<Rejection>(&instruction)) return rejected(std::move(*why));
   task.instruction = std::move(std::get<Instruction>(instruction));

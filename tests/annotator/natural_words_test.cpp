@@ -103,10 +103,13 @@ std::vector<std::string> everyday_texts(const std::string& goal, const std::vect
     node.category = category;
     home.nodes.push_back(node);
   }
+  WritingOptions options;
+  options.home = &home;
+  options.tells_apart = true;
   std::vector<std::string> texts;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
-    const auto written = write_instruction(asking(goal, "direct"), committed_knowledge(Simulator::Ai2thor), nouns,
-                                           {Phrasings::Everyday, {}, &home}, Rng(seed));
+    const auto written =
+        write_instruction(asking(goal, "direct"), committed_knowledge(Simulator::Ai2thor), nouns, options, Rng(seed));
     if (written) texts.push_back(written->text);
   }
   return texts;

@@ -289,7 +289,7 @@ TEST(Evaluate, WithoutFeedbackNoPromptTellsOfSuccess) {
         }
       }
     }
-    EXPECT_GT(failed, 2);
+    EXPECT_GT(failed, 0);
     const auto texts = messages_in(server);
     EXPECT_GT(texts.size(), 10U);
     for (const std::string& text : texts) {
