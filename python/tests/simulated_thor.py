@@ -174,6 +174,8 @@ class SimulatedThor:
             return "the hand is full"
         self.held = objectId
         self.objects[objectId]["parentReceptacles"] = []
+        for inner in self._inside(objectId):
+            inner["parentReceptacles"] = [objectId]
         return None
 
     def _PutObject(self, objectId: str, forceAction: bool = False, placeStationary: bool = False) -> str | None:
@@ -184,6 +186,9 @@ class SimulatedThor:
             return f"{objectId} is closed"
         self.objects[self.held]["parentReceptacles"] = [objectId]
         self.objects[self.held]["position"] = dict(place["position"])
+        if place["objectType"] in ("Fridge", "Microwave"):  # around what is in a bowl, too
+            for inner in self._inside(self.held):
+                inner["parentReceptacles"] = [self.held, objectId]
         self.held = None
         if place["objectType"] in ("CoffeeMachine", "Toaster") and place["isToggled"]:
             self._run(place)  # which works on what is put into it while it is on, too
