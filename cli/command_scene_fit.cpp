@@ -3,6 +3,7 @@
 
 #include "cli/command_parser.h"
 #include "cli/command_scene.h"
+#include "core/folder_lock.h"
 #include "grounding/layout_fit.h"
 
 namespace unietp {
@@ -18,6 +19,8 @@ Exit fit(const SceneFitOptions& options, const DataFolders& folders) {
   std::vector<Knowledge> knowledge;
   for (auto& backend : reading.backends) knowledge.push_back(std::move(backend.knowledge));
   const auto out = options.out.empty() ? folders.layouts() : options.out;
+  const auto lock = FolderLock::take(out);
+  if (!lock) return refuse(lock.error());
   const auto done = fit_layouts_into(out, options.upstream, folders.layouts() / "curated", knowledge);
   if (!done) return refuse(done.error());
   std::printf("wrote the tables of %zu simulators to %s\n", knowledge.size(), out.string().c_str());

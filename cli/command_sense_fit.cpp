@@ -4,6 +4,7 @@
 #include "cli/command_knowledge.h"
 #include "cli/command_parser.h"
 #include "cli/sense_folder.h"
+#include "core/folder_lock.h"
 #include "sense/fit.h"
 
 namespace unietp {
@@ -19,6 +20,8 @@ Exit fit(const SenseFitOptions& options, const CommandLine& program) {
   if (!errors.empty()) return refuse(errors);
   const auto tables = sense_folder(program);
   const auto out = options.out.empty() ? tables : options.out;
+  const auto lock = FolderLock::take(out);
+  if (!lock) return refuse(lock.error());
   const auto done = fit_sense_into(
       out, tables, {options.metadata, options.activities, program.folders.root / "data/bddl"}, knowledge);
   if (!done) return refuse(done.error());
