@@ -101,19 +101,16 @@ class TextChecker {
     if (home_ == nullptr) return false;
     const auto tokens = tokens_of(text);
     const auto own = categories_of(specification_.goal);
-    const auto is_called = [&](const std::string& category, std::string_view name) {
-      const Category* found = knowledge_.find(category);
-      return found != nullptr && found->display == name;
-    };
     return std::any_of(own.begin(), own.end(), [&](const std::string& category) {
       const NounTable::Name* name = lexicon_.display(category);
       const Category* found = knowledge_.find(category);
       if (name == nullptr || found == nullptr || !(says(tokens, name->singular) || says(tokens, name->plural)))
         return false;
       const auto others = lexicon_.everyday()->look_alikes(found->display);
-      return std::any_of(there_.begin(), there_.end(), [&](const std::string& other) {
-        return std::find(own.begin(), own.end(), other) == own.end() &&
-               std::any_of(others.begin(), others.end(), [&](const auto& look) { return is_called(other, look); });
+      return std::any_of(there_.begin(), there_.end(), [&](const std::string& there) {
+        const Category* other = knowledge_.find(there);
+        return other != nullptr && std::find(own.begin(), own.end(), there) == own.end() &&
+               std::find(others.begin(), others.end(), other->display) != others.end();
       });
     });
   }

@@ -163,13 +163,8 @@ class Decoys {
     return whole == sliced_.end() ? std::string_view(category.name) : whole->second;
   }
 
-  static bool is_wall_thing(const Category& category) {
-    return std::find(category.kinds.begin(), category.kinds.end(), "wall_thing") != category.kinds.end();
-  }
-
   bool can_be_decoy(const Category& category) {
-    return category.movable && !spoken_.contains(category.name) && !is_wall_thing(category) &&
-           is_usual_at(category, "");
+    return category.movable && !spoken_.contains(category.name) && is_usual_at(category, "");
   }
 
   bool is_spoken_of(const Category& category) {

@@ -107,8 +107,8 @@ void follow_from_what_was_told_and_shown(Mode mode) {
 
 /// Whether search was needless is judged from what was known at that moment: once all that the goal needs was seen,
 /// nothing is looked for any more, but for what cannot be named otherwise. At most this share of the search is needless
-/// in large data sets: most of it are the last of several equal turns, with which a look around is done to its end.
-constexpr double kNeedless = 0.02;
+/// in large data sets: most of it are ways in a plan that was made in what was believed, which works without them.
+constexpr double kNeedless = 0.01;
 
 void search_no_longer_than_needed(Mode mode) {
   const TaskSource tasks = source();
