@@ -10,8 +10,8 @@
 namespace unietp {
 namespace {
 
-constexpr double kShortestSide_m = 2.4, kCorridorSide_m = 1.7;
-constexpr double kWidestCorridor_m = 2.1;
+constexpr double kShortestSide_m = 2.4, kCorridorSide_m = 1.5;
+constexpr double kWidestCorridor_m = 1.9;
 constexpr double kLongestAspect = 2.2, kCorridorAspect = 10;
 constexpr double kOpeningMargin_m = 0.35;     // from a corner to the opening
 constexpr double kInRows = 0.45, kCut = 0.1;  // of homes with a corridor; the others have a wing
@@ -142,7 +142,7 @@ std::optional<std::vector<Rect>> rows_plan(const std::vector<RoomRequest>& reque
   const auto before = static_cast<std::ptrdiff_t>(rng.below(upper.size() - rooms->living.size() + 1));
   std::rotate(upper.begin(), upper.begin() + living, upper.begin() + living + before);
   const double area = area_of(upper, requests) + area_of(lower, requests);
-  const double length = round_to_dm(std::sqrt(area * rng.uniform(1.3, 2.4)));
+  const double length = round_to_dm(std::sqrt(area * rng.uniform(1.0, 1.8)));
   const double width = corridor_width(requests, length);
   std::vector<Rect> places(requests.size());
   places.front() = {{0, 0}, {length, width}};
@@ -158,7 +158,7 @@ std::optional<std::vector<Rect>> wing_plan(const std::vector<RoomRequest>& reque
   std::vector<std::size_t> upper, lower;
   share_out(rooms->others, requests, upper, lower);
   const double length =
-      round_to_dm(std::sqrt((area_of(upper, requests) + area_of(lower, requests)) * rng.uniform(0.8, 2.0)));
+      round_to_dm(std::sqrt((area_of(upper, requests) + area_of(lower, requests)) * rng.uniform(0.6, 1.4)));
   const double width = corridor_width(requests, length);
   std::vector<Rect> places(requests.size());
   lay_row(upper, requests, 0, length, width, true, places);

@@ -108,12 +108,12 @@ std::optional<Vec3> draw_on_top(const Node& host, const Node& node, Rng& rng) {
   return top.center + Vec3(rng.uniform(-1, 1) * slack.x(), slack.y() - back, node.size.z() / 2 + kRestGap_m);
 }
 
-/// Pose next to a host, backs in line, on the floor, at most `gap` away.
-Pose beside(const Node& host, const Node& node, double gap, Rng& rng) {
+/// Pose next to a host, backs in line, `bottom` meters over the floor, at most `gap` away.
+Pose beside(const Node& host, const Node& node, double gap, Rng& rng, double bottom = 0) {
   const Vec3 half = host.size / 2, own = node.size / 2;
   const double side = rng.chance(0.5) ? 1 : -1;
   const Vec3 spot(side * (half.x() + own.x() + rng.uniform(0.015, gap)), half.y() - own.y(),
-                  own.z() - host.pose.position.z());
+                  bottom + own.z() - host.pose.position.z());
   return host.pose * Pose{spot, Quat::Identity()};
 }
 
@@ -200,7 +200,8 @@ std::optional<Candidate> draw_at_host(const Workspace& workspace, std::size_t ro
                     half.z() + where.height_m.value_or(0.02) + own.z());
     return Candidate{host.pose * Pose{spot, Quat::Identity()}, index};
   }
-  if (where.kind == FurniturePosition::Kind::Beside) return Candidate{beside(host, node, kNeighbor_m, rng), index};
+  if (where.kind == FurniturePosition::Kind::Beside)
+    return Candidate{beside(host, node, kNeighbor_m, rng, where.height_m.value_or(0)), index};
   if (where.kind == FurniturePosition::Kind::Before) {
     const double aside = rng.uniform(-0.5, 0.5) * std::max(0.0, half.x() - own.x());
     const Vec3 spot(aside, -half.y() - own.y() - rng.uniform(0.35, 0.5), on_floor);

@@ -31,7 +31,7 @@ bool takes_host(PositionKind kind) {
 }
 bool takes_height(PositionKind kind) {
   return kind == PositionKind::WallHung || kind == PositionKind::OuterWall || kind == PositionKind::Facing ||
-         kind == PositionKind::Above;
+         kind == PositionKind::Beside || kind == PositionKind::Above;
 }
 
 }  // namespace

@@ -18,14 +18,14 @@ struct FurniturePosition {
     Ceiling,    // hangs from the ceiling, near the room's middle
     On,         // `on:CounterTop`: on top of that furniture, same front
     At,         // `at:DiningTable`: standing around it, facing it
-    Beside,     // `beside:Bed`: next to it along the wall
+    Beside,     // `beside:Bed`: next to it along the wall; `beside:Sink:1.2` hung there, 1.2 m over the floor
     Before,     // `before:Sofa`: an arm's length in front of it
     Facing,     // `facing:Sofa`: at the wall that it looks at, in its middle; `facing:Sofa:0.95` hung there
     Above,      // `above:Sink:0.02`: over its back edge, that much higher
   };
   Kind kind = Kind::Wall;
   std::string host;                // category, of On, At, Beside, Before, Facing, Above
-  std::optional<double> height_m;  // of WallHung, OuterWall, Facing and Above
+  std::optional<double> height_m;  // of WallHung, OuterWall, Facing, Beside and Above
 };
 /// nullopt when the text is none of these.
 std::optional<FurniturePosition> parse_furniture_position(std::string_view text);

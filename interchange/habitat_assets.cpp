@@ -12,6 +12,7 @@
 #include "interchange/own_ids.h"
 #include "interchange/urdf.h"
 #include "simulation/paint.h"
+#include "simulation/room_paint.h"
 #include "simulation/shape.h"
 #include "simulation/walls.h"
 
@@ -175,7 +176,7 @@ std::vector<AssetFile> habitat_stage(const Scene& scene) {
     const Bounds bounds = room_bounds(room, 0);
     const Vec3 size = bounds.high - bounds.low, middle = (bounds.low + bounds.high) / 2;
     add(box_part({{middle.x(), middle.y(), -kFloor_m / 2}, Quat::Identity()}, {size.x(), size.y(), kFloor_m}),
-        "floor_" + room.id, floor_paint(&room, middle.head<2>()));
+        "floor_" + room.id, room_paint(&room).floor_color);
   }
   for (const WallPiece& wall : walls_of(scene)) {
     add(box_part(wall.pose, wall.size), "wall_" + std::to_string(meshes.size() - scene.rooms.size()), kWallPaint);

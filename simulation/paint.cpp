@@ -124,24 +124,4 @@ Color substance_paint(std::string_view substance) {
   return {226, 206, 140};
 }
 
-Color floor_paint(const Room* room, const Vec2& at) {
-  if (room == nullptr) return {150, 156, 150};
-  const auto cell = [](double way, double size) { return static_cast<int>(std::floor(way / size)); };
-  if (room->type == "kitchen" || room->type == "bathroom") {
-    constexpr double kTile_m = 0.4;
-    const bool dark = (cell(at.x(), kTile_m) + cell(at.y(), kTile_m)) % 2 != 0;
-    return dark ? Color(186, 190, 192) : Color(204, 207, 208);
-  }
-  constexpr double kBoard_m = 0.16;
-  constexpr std::array<double, 3> kShades{1.0, 0.94, 0.97};
-  const int board = cell(at.y(), kBoard_m);
-  return Color(190, 156, 116) * kShades[static_cast<std::size_t>(((board % 3) + 3) % 3)];
-}
-
-Color wall_paint(double height_m, double wall_height_m) {
-  constexpr double kBoard_m = 0.09, kShade_m = 0.3;
-  if (height_m < kBoard_m) return {196, 190, 178};
-  return kWallPaint * (0.93 + 0.07 * std::clamp((wall_height_m - height_m) / kShade_m, 0.0, 1.0));
-}
-
 }  // namespace unietp

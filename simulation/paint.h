@@ -19,11 +19,7 @@ Matter matter_of(const Node& node, const ShapeFamily* family = nullptr);
 /// Of what fills or covers an object, by words of its name: coffee brown, milk white. Others: a pale yellow.
 Color substance_paint(std::string_view substance);
 
-/// Floors: tiles in kitchens and bathrooms, boards elsewhere, a plain gray outside of all rooms (nullptr).
-Color floor_paint(const Room* room, const Vec2& at);
-/// Walls: a baseboard, and a shade less light below the ceiling.
-Color wall_paint(double height_m, double wall_height_m);
-/// Of walls, ceilings and openings.
+/// Of walls where nothing else is known, ceilings and openings.
 inline const Color kWallPaint(226, 221, 210), kCeilingPaint(240, 240, 238), kOpenPaint(205, 222, 235);
 
 }  // namespace unietp

@@ -11,6 +11,7 @@
 #include "simulation/first_solids.h"
 #include "simulation/glow.h"
 #include "simulation/noise.h"
+#include "simulation/room_paint.h"
 #include "simulation/solids.h"
 #include "simulation/walls.h"
 
@@ -29,6 +30,22 @@ struct Shell {
 };
 
 bool same_face(const PixelHit& a, const PixelHit& b) { return a.solid == b.solid && a.normal == b.normal; }
+
+/// The look of the room of the last pixel: neighboring ones are mostly in the same.
+class RoomOfLastPixel {
+ public:
+  const RoomPaint& paint_at(const Scene& scene, const Vec2& place) {
+    if (room_ == nullptr || !contains(room_->polygon, place)) {
+      room_ = room_at(scene, place);
+      paint_ = room_paint(room_);
+    }
+    return paint_;
+  }
+
+ private:
+  const Room* room_ = nullptr;
+  RoomPaint paint_ = room_paint(nullptr);
+};
 
 class Painter {
  public:
@@ -171,11 +188,14 @@ class Painter {
     if (spot.solid == Shell::kCeiling) return {kCeilingPaint};
     if (spot.solid == Shell::kFloor) {
       const Vec2 place = at.head<2>();
-      if (room_ == nullptr || !contains(room_->polygon, place)) room_ = room_at(scene_, place);
-      return {floor_paint(room_, place)};
+      return {floor_paint(floors_.paint_at(scene_, place), place)};
     }
     const Solid& solid = rays_.solids()[static_cast<std::size_t>(spot.solid)];
-    if (solid.owner < 0) return {wall_paint(at.z(), scene_.wall_height)};
+    if (solid.owner < 0) {
+      constexpr double kBefore_m = 0.05;  // on the side from which it is seen, past the wall's thickness
+      const Vec2 before = (at + (scene_.wall_thickness / 2 + kBefore_m) * spot.normal).head<2>();
+      return {wall_paint(walls_.paint_at(scene_, before), at, scene_.wall_height)};
+    }
     const auto owner = static_cast<std::size_t>(solid.owner);
     const Body& body = bodies_[owner];
     const bool own = solid.color || solid.matter || solid.shade != 1;
@@ -318,7 +338,7 @@ class Painter {
   std::vector<Daylight> windows_;
   std::vector<PixelHit> spots_;
   std::vector<Eigen::Vector3f> lights_;
-  const Room* room_ = nullptr;  // of the last floor pixel; neighboring ones are mostly in the same
+  RoomOfLastPixel floors_, walls_;
 };
 
 std::vector<std::size_t> hidden_in(const ViewedScene& viewed) {
