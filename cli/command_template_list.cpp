@@ -11,6 +11,7 @@
 #include "core/text.h"
 #include "dataset/configuration.h"
 #include "resources/template_library.h"
+#include "templates/rooms_needed.h"
 
 namespace unietp {
 namespace {
@@ -66,8 +67,9 @@ void print_templates(const std::vector<Template>& templates) {
     widest_class = std::max(widest_class, class_of(source).size());
   }
   for (const auto& source : templates) {
-    std::printf("%-*s  %-*s  %s %s\n", static_cast<int>(widest), source.name.c_str(), static_cast<int>(widest_class),
-                class_of(source).c_str(), letters_of(source).c_str(), source.title.c_str());
+    std::printf("%-*s  %-*s  %s %s%s\n", static_cast<int>(widest), source.name.c_str(), static_cast<int>(widest_class),
+                class_of(source).c_str(), letters_of(source).c_str(), source.title.c_str(),
+                needs_several_rooms(source) ? " (several rooms)" : "");
   }
   std::printf("%zu templates\n", templates.size());
 }
@@ -95,6 +97,7 @@ Exit list(const TemplateListOptions& options, const CommandLine& program) {
                       {"split", name_of(source.split)},
                       {"refinement", source.refinement},
                       {"simulators", claimed_by(source)},
+                      {"several_rooms", needs_several_rooms(source)},
                       {"title", source.title},
                       {"goal", to_text(source.goal)},
                       {"file", source.file}});

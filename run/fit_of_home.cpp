@@ -15,6 +15,7 @@
 #include "grounding/household.h"
 #include "run/sense_of_binding.h"
 #include "sense/wants.h"
+#include "templates/rooms_needed.h"
 
 namespace unietp {
 namespace {
@@ -247,6 +248,7 @@ BindingCheck fits_home(const RunConfiguration& configuration, const Resources& r
   return [&source, &layout, &knowledge = resources.backend(simulator).knowledge, household, style,
           makes_sense = std::move(makes_sense)](const Binding& bound, const Parameter& parameter,
                                                 const std::string& category) {
+    if (layout.home.scene.rooms.size() < 2 && needs_several_rooms(source)) return false;
     if (makes_sense && !makes_sense(bound, parameter, category)) return false;
     if (bound.size() + 1 < source.parameters.size()) return true;
     Binding all = bound;

@@ -186,15 +186,16 @@ class Painter {
   Finish finish_at(const PixelHit& spot, const Vec3& at, const Vec3& direction) {
     if (spot.solid == Shell::kOpen) return {kOpenPaint, 0, 0, true};
     if (spot.solid == Shell::kCeiling) return {kCeilingPaint};
+    const double pixel_m = spot.depth * direction.norm() / camera_.focal;
     if (spot.solid == Shell::kFloor) {
       const Vec2 place = at.head<2>();
-      return {floor_paint(floors_.paint_at(scene_, place), place)};
+      return {floor_paint(floors_.paint_at(scene_, place), place, pixel_m)};
     }
     const Solid& solid = rays_.solids()[static_cast<std::size_t>(spot.solid)];
     if (solid.owner < 0) {
       constexpr double kBefore_m = 0.05;  // on the side from which it is seen, past the wall's thickness
       const Vec2 before = (at + (scene_.wall_thickness / 2 + kBefore_m) * spot.normal).head<2>();
-      return {wall_paint(walls_.paint_at(scene_, before), at, scene_.wall_height)};
+      return {wall_paint(walls_.paint_at(scene_, before), at, scene_.wall_height, pixel_m)};
     }
     const auto owner = static_cast<std::size_t>(solid.owner);
     const Body& body = bodies_[owner];
@@ -205,7 +206,7 @@ class Painter {
     SurfacePoint point;
     point.skin = solid.skin;
     point.moves = solid.moves;
-    point.pixel_m = spot.depth * direction.norm() / camera_.focal;
+    point.pixel_m = pixel_m;
     if (solid.moves || solid.skin != Skin::Body) {
       const Quat back = solid.pose.rotation.conjugate();
       point.at = rotated(back, at - solid.pose.position);

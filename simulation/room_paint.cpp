@@ -40,28 +40,32 @@ Color picked(const std::array<Rgb3, N>& colors, double share) {
 
 int cell_number(double way, double size) { return static_cast<int>(std::floor(way / size)); }
 
-/// Distance to the nearest multiple of `size`.
-double to_joint(double way, double size) {
-  const double rest = way - size * std::floor(way / size);
-  return std::min(rest, size - rest);
+/// How much of a pixel around `way` a joint covers that lies at each multiple of `size`, 0 to 1: what is thinner than a
+/// pixel is faint instead of broken.
+double joint_share(double way, double size, double joint_m, double pixel_m) {
+  const double rest = way - size * std::floor(way / size), distance = std::min(rest, size - rest);
+  const double half = std::max(joint_m, pixel_m) / 2;
+  return distance < half ? std::min(1.0, joint_m / pixel_m) : 0;
 }
 
-Color board_at(const RoomPaint& room, const Vec2& at) {
-  constexpr double kLong_m = 1.3, kJoint_m = 0.003, kShades = 0.12;
+Color board_at(const RoomPaint& room, const Vec2& at, double pixel_m) {
+  constexpr double kLong_m = 1.3, kJoint_m = 0.005, kShades = 0.12, kDark = 0.22;
   const double along = room.turned ? at.y() : at.x(), across = room.turned ? at.x() : at.y();
   const int row = cell_number(across, room.unit_m);
   const double shifted = along + kLong_m * hashed(row, 0, 0, room.seed);
-  if (to_joint(across, room.unit_m) < kJoint_m || to_joint(shifted, kLong_m) < kJoint_m) return room.floor_color * 0.78;
+  const double joint =
+      std::max(joint_share(across, room.unit_m, kJoint_m, pixel_m), joint_share(shifted, kLong_m, kJoint_m, pixel_m));
   const double shade = hashed(row, cell_number(shifted, kLong_m), 1, room.seed);
   const double grain = noise({shifted * 3, across * 60, 0}, room.seed);
-  return room.floor_color * (1 - kShades + kShades * (0.7 * shade + 0.3 * grain));
+  return room.floor_color * (1 - kShades + kShades * (0.7 * shade + 0.3 * grain)) * (1 - kDark * joint);
 }
 
-Color tile_at(const RoomPaint& room, const Vec2& at) {
-  constexpr double kJoint_m = 0.004;
-  if (to_joint(at.x(), room.unit_m) < kJoint_m || to_joint(at.y(), room.unit_m) < kJoint_m) return room.second_color;
+Color tile_at(const RoomPaint& room, const Vec2& at, double pixel_m) {
+  constexpr double kJoint_m = 0.006;
+  const double joint = std::max(joint_share(at.x(), room.unit_m, kJoint_m, pixel_m),
+                                joint_share(at.y(), room.unit_m, kJoint_m, pixel_m));
   const double shade = hashed(cell_number(at.x(), room.unit_m), cell_number(at.y(), room.unit_m), 0, room.seed);
-  return room.floor_color * (0.97 + 0.03 * shade);
+  return room.floor_color * (0.97 + 0.03 * shade) * (1 - joint) + room.second_color * joint;
 }
 
 }  // namespace
@@ -104,27 +108,28 @@ RoomPaint room_paint(const Room* room) {
   return paint;
 }
 
-Color floor_paint(const RoomPaint& room, const Vec2& at) {
+Color floor_paint(const RoomPaint& room, const Vec2& at, double pixel_m) {
   switch (room.floor) {
     case RoomPaint::Floor::Checks: {
       const bool second = (cell_number(at.x(), room.unit_m) + cell_number(at.y(), room.unit_m)) % 2 != 0;
       return second ? room.second_color : room.floor_color;
     }
     case RoomPaint::Floor::Tiles:
-      return tile_at(room, at);
+      return tile_at(room, at, pixel_m);
     case RoomPaint::Floor::Carpet:
       return room.floor_color * (0.92 + 0.08 * rough_noise({40 * at.x(), 40 * at.y(), 0}, room.seed));
     case RoomPaint::Floor::Boards:
       break;
   }
-  return board_at(room, at);
+  return board_at(room, at, pixel_m);
 }
 
-Color wall_paint(const RoomPaint& room, const Vec3& at, double wall_height_m) {
-  constexpr double kBoard_m = 0.09, kShade_m = 0.3, kTile_m = 0.2, kJoint_m = 0.003;
+Color wall_paint(const RoomPaint& room, const Vec3& at, double wall_height_m, double pixel_m) {
+  constexpr double kBoard_m = 0.09, kShade_m = 0.3, kTile_m = 0.2, kJoint_m = 0.006, kDark = 0.14;
   if (at.z() < room.tiled_m) {
-    const bool joint = to_joint(at.z(), kTile_m) < kJoint_m || to_joint(at.x() + at.y(), kTile_m) < kJoint_m;
-    return room.wall_color * (joint ? 0.86 : 1.0);
+    const double joint = std::max(joint_share(at.z(), kTile_m, kJoint_m, pixel_m),
+                                  joint_share(at.x() + at.y(), kTile_m, kJoint_m, pixel_m));
+    return room.wall_color * (1 - kDark * joint);
   }
   if (at.z() < kBoard_m) return {196, 190, 178};
   const Color plain = room.tiled_m > 0 ? kWallPaint : room.wall_color;

@@ -22,9 +22,9 @@ struct RoomPaint {
 
 /// nullptr: outside of all rooms, a plain gray floor.
 RoomPaint room_paint(const Room* room);
-/// Of a floor at a point of W.
-Color floor_paint(const RoomPaint& room, const Vec2& at);
+/// Of a floor at a point of W that fills a pixel of this width.
+Color floor_paint(const RoomPaint& room, const Vec2& at, double pixel_m);
 /// Of a wall at a point of W: a baseboard, and a shade less light below the ceiling.
-Color wall_paint(const RoomPaint& room, const Vec3& at, double wall_height_m);
+Color wall_paint(const RoomPaint& room, const Vec3& at, double wall_height_m, double pixel_m);
 
 }  // namespace unietp

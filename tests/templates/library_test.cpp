@@ -6,6 +6,7 @@
 #include <set>
 
 #include "templates/init_shape.h"
+#include "templates/rooms_needed.h"
 #include "templates/template.h"
 
 namespace unietp {
@@ -42,6 +43,17 @@ TEST(Library, StartConstraintsKeepToTheShapesThatGroundingEnforces) {
   for (const auto& t : library().templates) {
     for (const auto& start : t.init) EXPECT_FALSE(init_shape_problem(start)) << t.name << ": " << to_text(start);
   }
+}
+
+TEST(Library, TemplatesThatBringThingsToAnotherRoomNeedSeveral) {
+  std::set<std::string> several;
+  for (const auto& t : library().templates) {
+    if (needs_several_rooms(t)) several.insert(t.name);
+  }
+  for (const char* name : {"bring-one-into", "go-to-room", "open-the-one-in-room"})
+    EXPECT_TRUE(several.contains(name)) << name;
+  for (const char* name : {"close-all-in-room", "place-one-on", "cook-one"})
+    EXPECT_FALSE(several.contains(name)) << name;
 }
 
 TEST(Library, HabitatGetsNoTemplateThatNeedsPowerOrChangesOfState) {
