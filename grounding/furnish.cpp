@@ -29,6 +29,7 @@ constexpr double kDesk_m = 0.8;                           // least width of what
 constexpr double kNeighbor_m = 0.06, kInRun_m = 0.02;     // farthest from the neighbor
 constexpr double kAside_m = 0.25;                         // of what faces a piece, from its middle
 constexpr double kAbove_m = 0.25;  // of what treats a thing that stands on it: more than a pot's height
+constexpr double kThickestRug_m = 0.04;
 constexpr double kLidLean = 0.36;  // how far an open lid stands out behind, as a share of its length
 
 struct Candidate {
@@ -115,6 +116,27 @@ Pose beside(const Node& host, const Node& node, double gap, Rng& rng, double bot
   const Vec3 spot(side * (half.x() + own.x() + rng.uniform(0.015, gap)), half.y() - own.y(),
                   bottom + own.z() - host.pose.position.z());
   return host.pose * Pose{spot, Quat::Identity()};
+}
+
+/// A rug or carpet: one walks on it, and furniture stands on it.
+bool covers_the_floor(const Node& node) {
+  return !node.movable && node.archetype == Archetype::Plate && node.size.z() < kThickestRug_m &&
+         node.pose.position.z() < kThickestRug_m;
+}
+
+/// Lifts what would stand on a rug, with its whole footprint, by the rug's thickness.
+Pose on_its_rug(const Workspace& workspace, std::size_t room, const Node& node) {
+  const Bounds body = bounds_of(node.pose, node.size);
+  if (body.low.z() > kThickestRug_m || covers_the_floor(node)) return node.pose;
+  for (const std::size_t i : workspace.nodes_in(room)) {
+    const Node& rug = workspace.scene().nodes[i];
+    if (!covers_the_floor(rug)) continue;
+    const Bounds area = bounds_of(rug.pose, rug.size);
+    const bool inside = (body.low.head<2>().array() > area.low.head<2>().array()).all() &&
+                        (body.high.head<2>().array() < area.high.head<2>().array()).all();
+    if (inside) return Pose{node.pose.position + Vec3(0, 0, area.high.z() + kRestGap_m), node.pose.rotation};
+  }
+  return node.pose;
 }
 
 /// Pieces in the room that others stand next to in a row: on the floor, their backs to a wall.
@@ -204,7 +226,8 @@ std::optional<Candidate> draw_at_host(const Workspace& workspace, std::size_t ro
     return Candidate{beside(host, node, kNeighbor_m, rng, where.height_m.value_or(0)), index};
   if (where.kind == FurniturePosition::Kind::Before) {
     const double aside = rng.uniform(-0.5, 0.5) * std::max(0.0, half.x() - own.x());
-    const Vec3 spot(aside, -half.y() - own.y() - rng.uniform(0.35, 0.5), on_floor);
+    const double gap = covers_the_floor(node) ? rng.uniform(0.05, 0.15) : rng.uniform(0.35, 0.5);
+    const Vec3 spot(aside, -half.y() - own.y() - gap, on_floor);
     return Candidate{host.pose * Pose{spot, Quat::Identity()}, index};
   }
   const Bounds bounds = room_bounds(workspace.scene().rooms[room], workspace.scene().wall_height);
@@ -366,7 +389,8 @@ bool fits(const Workspace& workspace, const Bounds& room, const Node& node, cons
     if (!within({space.low.cwiseMax(Vec3(-1e9, -1e9, 0)), space.high}, room)) return false;
     for (const BodyId near : workspace.physics().near(space, kGap_m)) {
       const std::size_t i = near.index();
-      if (near.is_node() && i < standing.size() && host != i && overlap(space, standing[i])) return false;
+      if (!near.is_node() || i >= standing.size() || host == i || !overlap(space, standing[i])) continue;
+      if (!covers_the_floor(workspace.scene().nodes[i])) return false;
     }
   }
   return !workspace.checker().hit(shape, node.pose, 0, host ? PlacementChecker::kGap_m : kGap_m) &&
@@ -422,7 +446,10 @@ bool place_furniture(Workspace& workspace, std::vector<KeepOut>& keep_outs, std:
     const auto candidate = draw_candidate(workspace, room, node, where, company, rng);
     if (!candidate) continue;
     node.pose = candidate->pose;
-    if (!keeps_out(keep_outs, bounds, bounds_of(shape, node.pose, 0), candidate->host)) continue;
+    node.pose = on_its_rug(workspace, room, node);
+    const bool rug = covers_the_floor(node);  // nobody minds one before a cupboard
+    const Bounds body = bounds_of(shape, node.pose, 0);
+    if (rug ? !within(body, bounds) : !keeps_out(keep_outs, bounds, body, candidate->host)) continue;
     if (!has_room_for_seats(keep_outs, node, where.kind)) continue;
     const auto spaces =
         own_keep_outs(workspace.knowledge(), node, sweep_of(node), backs_onto_a_wall(where.kind), options);

@@ -304,6 +304,77 @@ TEST_P(EveryLibrary, HasSofasThatLookAtTheTelevision) {
   EXPECT_GE(watched, 0.95 * rooms) << "of " << rooms << " living rooms with a television";
 }
 
+/// How many pieces of these categories stand or hang within `gap_m` of one of the others, and how many there are.
+struct Company {
+  int all = 0, beside = 0;
+};
+Company company_of(const std::vector<Scene>& homes, const std::set<std::string>& pieces,
+                   const std::set<std::string>& others, double gap_m, const std::string& room_type = "") {
+  Company count;
+  for (const Scene& home : homes) {
+    for (const Node& piece : home.nodes) {
+      if (!pieces.contains(piece.category)) continue;
+      const Room* room = room_at(home, piece.pose.position.head<2>());
+      if (room == nullptr || (!room_type.empty() && room->type != room_type)) continue;
+      Bounds area = bounds_of(piece.pose, piece.size);
+      area.low.z() = 0;  // what hangs beside a basin is above its top
+      area.high.z() = home.wall_height;
+      ++count.all;
+      count.beside += std::any_of(home.nodes.begin(), home.nodes.end(), [&](const Node& other) {
+        return others.contains(other.category) && overlap(bounds_of(other.pose, other.size), area, gap_m);
+      });
+    }
+  }
+  return count;
+}
+
+TEST_P(EveryLibrary, HasWashingMachinesAndTowelRailsBesideABasin) {
+  constexpr double kBeside_m = 0.15;
+  const std::set<std::string> machines{"washingmachine", "washer_dryer", "washer"};
+  const std::set<std::string> rails{"HandTowelHolder", "towelrack", "towel_rack", "towel_ring"};
+  const std::set<std::string> basins{"Sink", "sink", "furniture_sink", "pedestal_sink", "drop_in_sink"};
+  const Company washing = company_of(homes(), machines, basins, kBeside_m, "bathroom");
+  const Company towels = company_of(homes(), rails, basins, kBeside_m, "bathroom");
+  EXPECT_EQ(washing.beside, washing.all);
+  EXPECT_GE(washing.all, GetParam() == Simulator::Ai2thor ? 0 : 10);
+  EXPECT_EQ(towels.beside, towels.all);
+  EXPECT_GE(towels.all, 20);
+}
+
+TEST_P(EveryLibrary, HasComputersOnDesksAndTablesBesideBeds) {
+  const std::set<std::string> desks{"Desk", "desk"}, beds{"Bed", "bed"};
+  const std::set<std::string> computers{"Desktop", "Laptop",  "computer",        "cpuscreen",
+                                        "laptop",  "monitor", "desktop_computer"};
+  const std::set<std::string> bedside{"SideTable", "nightstand", "bedside_table", "night_stand"};
+  const Company worked_at = company_of(homes(), desks, computers, 0),
+                slept_in = company_of(homes(), beds, bedside, 0.15);
+  EXPECT_GE(worked_at.all, 20);
+  EXPECT_GE(worked_at.beside, 0.8 * worked_at.all) << "of " << worked_at.all << " desks";
+  EXPECT_GE(slept_in.all, 30);
+  EXPECT_GE(slept_in.beside, 0.95 * slept_in.all) << "of " << slept_in.all << " beds";
+}
+
+TEST_P(EveryLibrary, HasRugsBeforeSofasThatTheCoffeeTableStandsOn) {
+  if (GetParam() == Simulator::Ai2thor) GTEST_SKIP() << "AI2-THOR's objects have no rug";
+  const std::set<std::string> sofas{"sofa", "couch"}, rugs{"rug", "carpet"}, tables{"coffeetable", "coffee_table"};
+  const Company sat_on = company_of(homes(), sofas, rugs, 0.2, "living_room");
+  EXPECT_GE(sat_on.beside, 0.5 * sat_on.all) << "of " << sat_on.all << " sofas";
+  int on_rugs = 0;
+  for (const Scene& home : homes()) {
+    for (const Node& table : home.nodes) {
+      if (!tables.contains(table.category)) continue;
+      const double bottom = table.pose.position.z() - table.size.z() / 2;
+      const bool above = std::any_of(home.nodes.begin(), home.nodes.end(), [&](const Node& rug) {
+        return rugs.contains(rug.category) &&
+               overlap(bounds_of(rug.pose, rug.size), bounds_of(table.pose, table.size), 0.01);
+      });
+      EXPECT_TRUE(above || bottom < 0.005) << home.id << ": " << table.id << " floats";
+      on_rugs += above ? 1 : 0;
+    }
+  }
+  EXPECT_GE(on_rugs, 10);
+}
+
 TEST_P(EveryLibrary, HasThingsOnTheFloorThatPeopleKeepThere) {
   int movables = 0, low = 0;
   for (const Scene& home : homes()) {
