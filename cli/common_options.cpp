@@ -3,7 +3,7 @@
 #include <charconv>
 
 #include "cli/command_parser.h"
-#include "core/program_limits.h"
+#include "core/limits.h"
 #include "dataset/configuration.h"
 #include "scene/simulator.h"
 

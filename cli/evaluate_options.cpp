@@ -6,7 +6,6 @@
 
 #include "cli/command_parser.h"
 #include "cli/common_options.h"
-#include "core/evaluation_limits.h"
 #include "core/files.h"
 #include "core/in_quotes.h"
 #include "core/limits.h"

@@ -16,6 +16,8 @@ inline constexpr std::size_t kLabelBytes = 200;     // ids of objects and rooms,
 inline constexpr std::size_t kFileBytes = std::size_t{256} << 20;
 inline constexpr std::size_t kUnpackedBytes = kFileBytes;        // of a gzip file: a small one may claim terabytes
 inline constexpr std::size_t kLineBytes = std::size_t{8} << 20;  // one task or demonstration of a data set: some 20 kB
+// Of a text or a row of a database. The longest that is stored is a task with its demonstrations, a line of each mode.
+inline constexpr int kDatabaseBytes = 64 << 20;
 
 // Text of any file. Readers of nested text are recursive, so its depth is bounded for the sake of the stack.
 inline constexpr int kFormulaDepth = 200;            // brackets of a formula, clauses of a sentence
@@ -55,12 +57,22 @@ inline constexpr std::size_t kImportedRooms = kRooms;
 inline constexpr std::size_t kHomesInFile = 10'000;
 inline constexpr std::size_t kObjectsInFile = 500'000;  // of all its homes
 inline constexpr std::size_t kNamedRooms = 100;  // distinguished by the names that objects give; more are no rooms
+// Of physics for a home, as SettleOptions::most_work counts it: some twenty times what 300 movable objects take that
+// stand apart. A heap of thousands would take hours.
+inline constexpr std::size_t kMostWork = 30'000'000;
 
 // Knowledge tables: what is larger is a slip of the unit (millimeters, grams).
 inline constexpr double kCategory_m = 100, kCategory_kg = 90'000;
 inline constexpr double kCompleted_m = 20, kCompleted_kg = 2000;  // as a language model may state it
 inline constexpr std::int64_t kReservedRows = 1 << 20;            // a damaged file must not ask for all memory
 inline constexpr double kProfileCount = 100'000;                  // pixels or hands in a simulator's profile
+inline constexpr std::size_t kKindDepth = 100;                    // kinds above one another; the committed table has 5
+
+// Shapes. A picture draws some hundreds of objects, and a shape file is a table that people write.
+inline constexpr std::size_t kShapeParts = 10'000;  // of the families of one file
+inline constexpr std::size_t kShapeNumbers = 200;   // of one part
+inline constexpr std::size_t kShapePieces = 120;    // that one object is drawn of
+inline constexpr double kShapeNumber = 1000;        // that a shape file may write, up or down from 0
 
 // Templates. Starts are drawn with as many objects as they ask for, and a home has some hundreds.
 inline constexpr int kCountedObjects = 1000;  // that init asks for in all, or that a goal counts to
@@ -69,16 +81,21 @@ inline constexpr int kCountedObjects = 1000;  // that init asks for in all, or t
 inline constexpr std::uint64_t kSeed = 9'007'199'254'740'991;  // 2^53 - 1
 inline constexpr int kTasks = 1'000'000'000;                   // of a run
 inline constexpr int kAttempts = 1024;                         // for one task (dataset/candidate_number.h)
+inline constexpr int kThreads = 1024;                          // of one command
 
 // Servers. A session takes some 20 MB, and a message may hold an agent's longest answer with every sign escaped.
 inline constexpr std::size_t kMessageBytes = std::size_t{2} << 20;
-inline constexpr int kServedSessions = 256;     // that may be open at once
-inline constexpr int kServedConnections = 256;  // over HTTP and WebSocket, likewise
-inline constexpr int kIdle_s = 1'000'000;       // that a session may be allowed
+inline constexpr std::uint32_t kHeaderBytes = 16 << 10;  // of a request over HTTP, before its body
+inline constexpr int kServedSessions = 256;              // that may be open at once
+inline constexpr int kServedConnections = 256;           // over HTTP and WebSocket, likewise
+inline constexpr int kIdle_s = 1'000'000;                // that a session may be allowed
 
 // Answers of language models, which may be anything.
 inline constexpr std::size_t kAnswerBytes = std::size_t{4} << 20;  // of one HTTP answer
 inline constexpr std::int64_t kAnswerTokens = 1'000'000'000;       // as a server counts them
+// Files for a provider's batch service, which takes as many requests and 200 MB. What is more goes into further files.
+inline constexpr std::size_t kBatchLines = 50'000;
+inline constexpr std::size_t kBatchBytes = std::size_t{190} << 20;
 
 // Environments. What an agent says may be anything, and many of them may be served by one process.
 inline constexpr std::size_t kAgentAnswerBytes = std::size_t{1} << 20;  // of one answer
@@ -87,5 +104,12 @@ inline constexpr int kEpisodeSteps = 1'000'000'000;                     // that 
 inline constexpr int kLeastImageSide = 16, kImageSide = 4096;           // pixels of a picture
 inline constexpr std::size_t kEnvironments = 4096;                      // in a batch
 inline constexpr int kProceduralHomes = 1000;                           // of a simulator, kept for new tasks
+
+// Evaluations. What is kept of the text of an episode, so that its line can be read again (kLineBytes).
+inline constexpr std::size_t kReplyBytes = std::size_t{32} << 10;    // of one reply; what follows is cut off
+inline constexpr std::size_t kRepliesBytes = std::size_t{3} << 20;   // of all replies of an episode, shared evenly
+inline constexpr std::size_t kThinkingBytes = std::size_t{2} << 20;  // of an episode; the log has the rest
+inline constexpr int kEvaluatedSteps = 10'000;                       // that an evaluated episode may be allowed
+inline constexpr std::size_t kPackageFiles = 10'000;  // of a package that acts, whose digests are recorded
 
 }  // namespace unietp::limits

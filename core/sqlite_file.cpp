@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "core/file_place.h"
-#include "core/resource_limits.h"
+#include "core/limits.h"
 
 namespace unietp {
 namespace {

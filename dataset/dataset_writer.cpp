@@ -74,7 +74,8 @@ Result<Done> DatasetWriter::add_rejection(const RejectionEntry& rejection) {
 }
 
 Result<Done> DatasetWriter::finish(const RunConfiguration& configuration, const Resources& resources,
-                                   const fs::path& licenses, std::optional<WritingEntry> writing) {
+                                   const fs::path& licenses, std::optional<WritingEntry> writing,
+                                   std::optional<ReviewCounts> reviews) {
   if (demonstrations_.empty()) {  // of no task
     auto begun = LinesWriter::begin(folder_ / "demonstrations" / "M1.jsonl");
     if (!begun) return begun.error();
@@ -96,7 +97,8 @@ Result<Done> DatasetWriter::finish(const RunConfiguration& configuration, const 
                     std::move(counts_),
                     {},
                     std::move(*sources),
-                    std::move(writing)};
+                    std::move(writing),
+                    reviews};
   if (auto written = write_file(folder_, "README.md", dataset_card(manifest)); !written) return written.error();
   auto files_written = files_below(folder_);
   if (!files_written) return files_written.error();

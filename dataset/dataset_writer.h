@@ -35,9 +35,10 @@ class DatasetWriter {
   Result<Done> add_task(const WrittenTask& task, const std::vector<Trait>& traits, const HomeSource& homes);
   Result<Done> add_rejection(const RejectionEntry& rejection);
   /// The database, the card and the manifest; after it the folder is complete. `writing`: how the instructions were
-  /// written anew, if they were. Errors: also those of sources_of.
+  /// written anew, if they were; `reviews`: the verdicts, if there are any. Errors: also those of sources_of.
   Result<Done> finish(const RunConfiguration& configuration, const Resources& resources,
-                      const std::filesystem::path& licenses, std::optional<WritingEntry> writing = {});
+                      const std::filesystem::path& licenses, std::optional<WritingEntry> writing = {},
+                      std::optional<ReviewCounts> reviews = {});
 
  private:
   DatasetWriter(std::filesystem::path folder, LinesWriter tasks, LinesWriter rejections, DatasetDatabase database)

@@ -47,6 +47,7 @@ Json writing_json(const WritingEntry& writing) {
   json["english"] = writing.english;
   json["counts"] = Json::array();
   for (const auto& [writer, tasks] : writing.counts) json["counts"].push_back({{"writer", writer}, {"tasks", tasks}});
+  if (writing.pairs) json["pairs"] = {{"wordings", writing.pairs->wordings}, {"contrasts", writing.pairs->contrasts}};
   return json;
 }
 
@@ -139,6 +140,8 @@ std::string to_text(const Manifest& manifest) {
             {"sources", std::move(licenses)}};
   if (!manifest.benchmark.empty()) json["benchmark"] = manifest.benchmark;
   if (manifest.writing) json["instructions"] = writing_json(*manifest.writing);
+  if (const auto& reviews = manifest.reviews)
+    json["reviews"] = {{"accepted", reviews->accepted}, {"rejected", reviews->rejected}, {"edited", reviews->edited}};
   return json.dump(2) + "\n";
 }
 

@@ -29,6 +29,13 @@ struct SourceLicense {
   std::string license;  // as found there
 };
 
+/// How `annotate` wrote wordings.jsonl.
+struct PairsEntry {
+  std::size_t wordings = 0;  // texts of each task's goal that were asked for
+  bool contrasts = false;
+  bool operator==(const PairsEntry&) const = default;
+};
+
 /// How `annotate` wrote the instructions after the run.
 struct WritingEntry {
   std::string writer;
@@ -36,6 +43,12 @@ struct WritingEntry {
   std::string phrasings;                            // "everyday", "all", "training" or "benchmark"
   std::string english;                              // "us" or "gb"
   std::vector<std::pair<std::string, int>> counts;  // writer of an instruction, tasks
+  std::optional<PairsEntry> pairs = {};             // nullopt: there is no wordings.jsonl
+};
+
+/// Verdicts in reviews.jsonl.
+struct ReviewCounts {
+  int accepted = 0, rejected = 0, edited = 0;
 };
 
 /// manifest.json of a data set.
@@ -48,6 +61,7 @@ struct Manifest {
   std::map<std::string, FileEntry> files;  // by path in the folder, but for the manifest
   std::vector<SourceLicense> sources;
   std::optional<WritingEntry> writing;  // nullopt: the run wrote the instructions
+  std::optional<ReviewCounts> reviews;  // nullopt: nobody reviewed it
 };
 /// The frozen benchmark that a data set with these files is, or "".
 std::string benchmark_of(const std::map<std::string, FileEntry>& files, const FrozenBenchmarks& frozen);

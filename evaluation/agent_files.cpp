@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <optional>
 
-#include "core/evaluation_limits.h"
 #include "core/file_digest.h"
 #include "core/in_quotes.h"
+#include "core/limits.h"
 #include "core/text.h"
 #include "evaluation/child_process.h"
 

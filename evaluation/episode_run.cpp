@@ -6,8 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/evaluation_limits.h"
 #include "core/in_quotes.h"
+#include "core/limits.h"
 #include "environment/answer.h"
 
 namespace unietp {

@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "core/resource_limits.h"
+#include "core/limits.h"
 #include "grounding/reach.h"
 #include "grounding/reachability.h"
 #include "scene/near_room.h"

@@ -7,7 +7,6 @@
 
 #include "akb/knowledge.h"
 #include "core/limits.h"
-#include "core/resource_limits.h"
 #include "core/result.h"
 #include "interchange/format_facts.h"
 #include "interchange/source_scene.h"

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/program_limits.h"
+#include "core/limits.h"
 #include "core/result.h"
 #include "llm/ask.h"
 

@@ -171,8 +171,25 @@ RecordedWriting read_writing(JsonReader& reader, const JsonAt& at) {
       own.finish();
     }
   }
+  if (const auto f = fields.optional("pairs")) {
+    JsonFields own(reader, *f);
+    auto& pairs = writing.pairs.emplace();
+    if (const auto wordings = own.required("wordings")) pairs.wordings = read_whole(reader, *wordings);
+    if (const auto contrasts = own.required("contrasts")) pairs.contrasts = reader.boolean(*contrasts);
+    own.finish();
+  }
   fields.finish();
   return writing;
+}
+
+RecordedReviews read_reviews(JsonReader& reader, const JsonAt& at) {
+  RecordedReviews reviews;
+  JsonFields fields(reader, at);
+  if (const auto f = fields.required("accepted")) reviews.accepted = read_whole(reader, *f);
+  if (const auto f = fields.required("rejected")) reviews.rejected = read_whole(reader, *f);
+  if (const auto f = fields.required("edited")) reviews.edited = read_whole(reader, *f);
+  fields.finish();
+  return reviews;
 }
 
 std::vector<RecordedSource> read_sources(JsonReader& reader, const JsonAt& at) {
@@ -214,6 +231,7 @@ Result<ManifestRecord> read_manifest(std::string_view where, std::string_view te
     manifest.phrasings = manifest.writing->phrasings;
     manifest.english = manifest.writing->english;
   }
+  if (const auto f = fields.optional("reviews")) manifest.reviews = read_reviews(reader, *f);
   if (const auto f = fields.required("counts")) read_counts(reader, *f, manifest);
   if (const auto f = fields.required("files")) read_files(reader, *f, manifest);
   if (const auto f = fields.required("program")) {

@@ -47,6 +47,18 @@ struct RecordedWriting {
   std::string phrasings;
   std::string english = "us";                       // or "gb"
   std::vector<std::pair<std::string, int>> counts;  // writer of the instruction, tasks
+  /// How wordings.jsonl was written.
+  struct Pairs {
+    int wordings = 0;  // texts of each task's goal that were asked for
+    bool contrasts = false;
+  };
+  std::optional<Pairs> pairs;  // nullopt: there is no such file
+};
+
+/// Verdicts in reviews.jsonl.
+struct RecordedReviews {
+  int accepted = 0, rejected = 0, edited = 0;
+  bool operator==(const RecordedReviews&) const = default;
 };
 
 /// A source of facts with its license.
@@ -82,6 +94,7 @@ struct ManifestRecord {
   std::map<std::string, RecordedFile> files;  // by path
   std::vector<RecordedSource> sources;
   std::optional<RecordedWriting> writing;  // nullopt: the run wrote the instructions
+  std::optional<RecordedReviews> reviews;  // nullopt: nobody reviewed it
 };
 
 /// Reads the text of a manifest. Errors: Parse, Schema with a JSON pointer.

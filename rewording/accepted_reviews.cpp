@@ -55,7 +55,7 @@ class Judge {
         refuse("its text has changed: \"" + now + "\"");
         continue;
       }
-      AcceptedReview ruling{&review, {}};
+      AcceptedReview ruling{&review, by_person(task.record.writer), {}};
       if (review.judgment == Judgment::Edit && !in_force) {
         auto text = rewritten(task, now, review.text, refuse);
         if (!text) return text.error();

@@ -17,6 +17,7 @@ namespace unietp {
 /// What will stand in place of a task.
 struct AcceptedReview {
   const Review* review = nullptr;        // that is taken over
+  bool of_person = false;                // the present text is by a person
   std::optional<Instruction> rewritten;  // of an edit
 };
 using AcceptedReviews = std::map<std::string, AcceptedReview>;  // by task; those whose review is taken over

@@ -7,10 +7,10 @@
 #include "core/file_digest.h"
 #include "core/files.h"
 #include "core/staged_folder.h"
-#include "dataset/candidate_number.h"
 #include "dataset/dataset_database.h"
 #include "record/dataset_lines.h"
 #include "resources/own_phrasings.h"
+#include "rewording/grammar_text.h"
 #include "rewording/home_texts.h"
 #include "rewording/person_text.h"
 #include "rewording/worded_task.h"
@@ -24,12 +24,11 @@ namespace fs = std::filesystem;
 constexpr std::array<std::string_view, 3> kWriters{"grammar", "llm", "batch"};
 constexpr const char* kDatabase = "dataset.sqlite";
 
-Rng stream_of(const WordedTask& task, const AnnotateOptions& options) {
-  const TaskRecord& record = task.record;
-  return wording_stream(options.seed.value_or(record.run), record.slot, record.attempt);
-}
-
 English english_of(const AnnotateOptions& options) { return options.english.value_or(English::Us); }
+
+GrammarWording wording_of(const AnnotateOptions& options) {
+  return {options.llm.phrasings, english_of(options), options.seed};
+}
 
 /// The options with the English of the data set where they have none.
 AnnotateOptions with_english(AnnotateOptions options, const ManifestRecord& manifest) {
@@ -60,20 +59,15 @@ Result<std::vector<WordingTask>> wording_tasks(HomeCache& homes, const std::vect
                        std::make_shared<const Scene>(*scene),
                        home_in_words(*scene, backend.nouns_in(english_of(options))),
                        phrasings_of_template(resources, task.record.template_name),
-                       stream_of(task, options)});
+                       stream_of(task.record, wording_of(options))});
   }
   return wording;
 }
 
 Result<Instruction> by_grammar(HomeCache& homes, const WordedTask& task, const Resources& resources,
-                               const AnnotateOptions& options, const Rng& rng) {
-  const auto home = read_start(homes, task);
-  if (!home) return home.error();
-  const Backend& backend = resources.backend(task.specification.simulator);
-  return write_instruction(task.specification, backend.knowledge, backend.nouns_in(english_of(options)),
-                           {options.llm.phrasings, categories_in(*home), &*home,
-                            phrasings_of_template(resources, task.record.template_name)},
-                           rng);
+                               const AnnotateOptions& options) {
+  const auto start = read_start(homes, task);
+  return start ? first_text(task, *start, resources, wording_of(options)) : Result<Instruction>(start.error());
 }
 
 /// What the writer gives for each task whose text is to be written, in their order.
@@ -86,8 +80,7 @@ Result<std::vector<Result<Instruction>>> drafts_of(HomeCache& homes, const std::
   }
   std::vector<Result<Instruction>> drafts;
   for (const WordedTask& task : tasks) {
-    if (!is_kept(task, options))
-      drafts.push_back(by_grammar(homes, task, resources, options, stream_of(task, options)));
+    if (!is_kept(task, options)) drafts.push_back(by_grammar(homes, task, resources, options));
   }
   return drafts;
 }
@@ -171,15 +164,12 @@ class Rewriting {
     const TaskRecord& record = task.record;
     const auto repeats = [&] { return texts_.contains(record.layout, draft->text); };
     const auto in_style = [&] { return draft->style == task.specification.style; };
-    constexpr std::uint64_t kOthers = 400;  // a goal has tens of texts at least, and a home few tasks of one goal
-    // Some styles fit some goals in everyday words only; "all" phrasings are those and the others.
-    AnnotateOptions everyday = options_;
-    if (options_.llm.phrasings == Phrasings::All) everyday.llm.phrasings = Phrasings::Everyday;
-    for (std::uint64_t k = 1; draft && k <= kOthers && (repeats() || !in_style()); ++k) {
+    for (std::uint64_t number = 1; draft && number <= kFurtherTexts && (repeats() || !in_style()); ++number) {
       const bool in_place = repeats() && options_.writer != Writer::Grammar;
       std::string why = in_place ? "another task of this home has the model's text" : draft->why;
-      const AnnotateOptions& options = k > kOthers / 2 && !in_style() ? everyday : options_;
-      draft = by_grammar(homes_, task, resources_, options, stream_of(task, options_).fork("another", k));
+      const auto start = read_start(homes_, task);
+      draft = start ? further_text(task, *start, resources_, wording_of(options_), number, in_style())
+                    : Result<Instruction>(start.error());
       if (draft) draft->why = std::move(why);
     }
     if (!draft) {
@@ -237,7 +227,8 @@ WritingEntry writing_of(const AnnotateReport& report, const AnnotateOptions& opt
           options.seed,
           std::string(name_of(options.llm.phrasings)),
           std::string(name_of(english_of(options))),
-          {report.by_writer.begin(), report.by_writer.end()}};
+          {report.by_writer.begin(), report.by_writer.end()},
+          options.paired ? std::optional(PairsEntry{options.wordings, options.contrasts}) : std::nullopt};
 }
 
 bool is_new(const std::string& file) {

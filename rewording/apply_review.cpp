@@ -41,8 +41,24 @@ Result<Marks> read_marks(const fs::path& folder) {
   return marks;
 }
 
-ReviewMarkRecord mark_of(const Review& review) {
-  return {review.task, review.judgment, review.judgment == Judgment::Edit ? review.instruction : "", review.comment};
+/// `earlier`: the text before an earlier edit, or "". Of a text that people edited more than once it is kept, since the
+/// others are by people, too.
+ReviewMarkRecord mark_of(const AcceptedReview& ruling, const std::string& earlier) {
+  const Review& review = *ruling.review;
+  ReviewMarkRecord mark{review.task, review.judgment, "", review.comment};
+  if (review.judgment != Judgment::Edit) return mark;
+  const bool again = ruling.of_person && !earlier.empty() && earlier != review.text;
+  mark.before = again ? earlier : review.instruction;
+  return mark;
+}
+
+ReviewCounts counts_of(const Marks& marks) {
+  ReviewCounts counts;
+  for (const auto& [task, mark] : marks)
+    ++(mark.verdict == Judgment::Accept   ? counts.accepted
+       : mark.verdict == Judgment::Reject ? counts.rejected
+                                          : counts.edited);
+  return counts;
 }
 
 RejectionEntry rejection_of(const TaskRecord& task, const Review& review) {
@@ -115,7 +131,7 @@ class ReviewedSet {
     if (wordings_) {
       if (auto done = wordings_->finish(); !done) return done;
     }
-    return writer_.finish(configuration, resources, licenses, std::move(writing));
+    return writer_.finish(configuration, resources, licenses, std::move(writing), counts_of(marks));
   }
 
  private:
@@ -168,7 +184,10 @@ Result<ApplyReport> apply_review(const fs::path& folder, const fs::path& out, co
   const auto rulings = accept_reviews(
       reviews, {folder, resources, recorded_english(recorded->english), options.accept_unchecked, *marks}, report);
   if (!rulings) return rulings.error();
-  for (const auto& [task, ruling] : *rulings) (*marks)[task] = mark_of(*ruling.review);
+  for (const auto& [task, ruling] : *rulings) {
+    auto& mark = (*marks)[task];
+    mark = mark_of(ruling, mark.before);
+  }
   auto writer = DatasetWriter::begin(copy->folder());
   if (!writer) return writer.error();
   auto reader = DatasetReader::open(folder, all_lines(folder));

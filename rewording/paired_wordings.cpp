@@ -9,11 +9,9 @@
 #include "annotator/other_wordings.h"
 #include "annotator/phrasing_sets.h"
 #include "dataset/candidate_number.h"
-#include "dataset/lines.h"
 #include "record/dataset_reader.h"
 #include "resources/own_phrasings.h"
 #include "rewording/referring_goal.h"
-#include "rewording/worded_task.h"
 
 namespace unietp {
 namespace {
@@ -32,10 +30,10 @@ std::set<std::string> texts_of_goal(const WordingsEntry& entry) {
 
 class PairWriter {
  public:
-  PairWriter(const WordedTask& task, Scene start, const DemonstrationRecord& demonstration, const Backend& backend,
-             std::span<const std::string> phrasings_of_template, const PairOptions& options)
+  PairWriter(const WordedTask& task, const Scene& start, const DemonstrationRecord& demonstration,
+             const Backend& backend, std::span<const std::string> phrasings_of_template, const PairOptions& options)
       : task_(task),
-        start_(std::move(start)),
+        start_(start),
         backend_(backend),
         english_(options.english),
         contrasts_(options.contrasts),
@@ -135,7 +133,7 @@ class PairWriter {
   }
 
   const WordedTask& task_;
-  Scene start_;
+  const Scene& start_;
   const Backend& backend_;
   English english_;
   bool contrasts_;
@@ -147,6 +145,14 @@ class PairWriter {
 };
 
 }  // namespace
+
+Result<WordingsEntry> paired_wordings(const WordedTask& task, const Scene& start,
+                                      const DemonstrationRecord& demonstration, const Resources& resources,
+                                      const PairOptions& options) {
+  return PairWriter(task, start, demonstration, resources.backend(task.specification.simulator),
+                    phrasings_of_template(resources, task.record.template_name), options)
+      .pair();
+}
 
 Result<PairCounts> write_paired_wordings(const fs::path& folder, const Resources& resources, const PairOptions& options,
                                          const fs::path& file) {
@@ -161,10 +167,7 @@ Result<PairCounts> write_paired_wordings(const fs::path& folder, const Resources
       [&](const FinishedTask& finished) -> Result<WordingsEntry> {
         const auto task = worded_task(folder, ++line, finished.record);
         if (!task) return task.error();
-        const Backend& backend = resources.backend(task->specification.simulator);
-        return PairWriter(*task, finished.start, finished.shown.at(Mode::M1), backend,
-                          phrasings_of_template(resources, task->record.template_name), options)
-            .pair();
+        return paired_wordings(*task, finished.start, finished.shown.at(Mode::M1), resources, options);
       },
       [&](WordingsEntry&& pair) {
         ++counts.tasks_by_wordings[texts_of_goal(pair).size()];

@@ -104,7 +104,9 @@ ReviewMarkEntry written_again(const ReviewMarkRecord& mark) {
 
 std::optional<WritingEntry> written_again(const std::optional<RecordedWriting>& writing) {
   if (!writing) return std::nullopt;
-  return WritingEntry{writing->writer, writing->seed, writing->phrasings, writing->english, writing->counts};
+  WritingEntry again{writing->writer, writing->seed, writing->phrasings, writing->english, writing->counts};
+  if (const auto& pairs = writing->pairs) again.pairs = {static_cast<std::size_t>(pairs->wordings), pairs->contrasts};
+  return again;
 }
 
 Result<Manifest> written_again(std::string_view where, const ManifestRecord& manifest) {
@@ -133,6 +135,7 @@ Result<Manifest> written_again(std::string_view where, const ManifestRecord& man
   for (const auto& [path, file] : manifest.files) again.files[path] = {file.bytes, file.sha256};
   for (const auto& source : manifest.sources) again.sources.push_back({source.source, source.origin, source.license});
   again.writing = written_again(manifest.writing);
+  if (const auto& reviews = manifest.reviews) again.reviews = {reviews->accepted, reviews->rejected, reviews->edited};
   return again;
 }
 

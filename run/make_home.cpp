@@ -16,6 +16,10 @@ std::string layout_id(Simulator simulator, int index) {
   return std::string(name_of(simulator)) + "-home-" + digits;
 }
 
+Error no_home_of_the_run(std::string_view name) {
+  return {Error::Kind::Usage, std::string(name), {}, "is not the name of a home that the configuration gives"};
+}
+
 Result<Scene> draw_home(const RunConfiguration& configuration, const Resources& resources, Simulator simulator,
                         int number) {
   const auto& backend = resources.backend(simulator);
@@ -64,16 +68,14 @@ Result<Scene> make_home(const RunConfiguration& configuration, const Resources& 
   return draw_home(configuration, resources, simulator, number);
 }
 
-Result<Scene> make_home(const RunConfiguration& configuration, const Resources& resources, std::string_view name) {
-  const auto unknown = [&] {
-    return Error{Error::Kind::Usage, std::string(name), {}, "is not the name of a home that the configuration gives"};
-  };
+Result<std::pair<Simulator, int>> home_number(const RunConfiguration& configuration, const Resources& resources,
+                                              std::string_view name) {
   for (const Simulator simulator : kSimulators) {
     if (configuration.homes == HomeSource::Benchmark) {
       int number = 0;
       for (const BenchmarkLayout& layout : resources.benchmark) {
         if (layout.simulator != simulator) continue;
-        if (layout.id == name) return benchmark_home(resources, simulator, number);
+        if (layout.id == name) return std::pair(simulator, number);
         ++number;
       }
       continue;
@@ -83,14 +85,20 @@ Result<Scene> make_home(const RunConfiguration& configuration, const Resources& 
     const std::string_view digits = name.substr(name.find_last_of('-') + 1);
     int number = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-    if (error != std::errc() || end != digits.data() + digits.size()) return unknown();
+    if (error != std::errc() || end != digits.data() + digits.size()) break;
     if (configuration.homes == HomeSource::Drawn) --number;  // they are counted from 1
-    if (number < 0) return unknown();
-    auto home = make_home(configuration, resources, simulator, number);
-    if (!home || home->id == name) return home;
-    return unknown();
+    if (number < 0) break;
+    return std::pair(simulator, number);
   }
-  return unknown();
+  return no_home_of_the_run(name);
+}
+
+Result<Scene> make_home(const RunConfiguration& configuration, const Resources& resources, std::string_view name) {
+  const auto number = home_number(configuration, resources, name);
+  if (!number) return number.error();
+  auto home = make_home(configuration, resources, number->first, number->second);
+  if (!home || home->id == name) return home;
+  return no_home_of_the_run(name);
 }
 
 }  // namespace unietp

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string_view>
+#include <utility>
 
 #include "core/result.h"
 #include "dataset/configuration.h"
@@ -14,6 +15,10 @@ namespace unietp {
 /// after a few tries; Usage for a number that the benchmark does not have.
 Result<Scene> make_home(const RunConfiguration& configuration, const Resources& resources, Simulator simulator,
                         int number);
+
+/// The simulator and number of the home of this name. Errors: Usage for a name that no home of the run has.
+Result<std::pair<Simulator, int>> home_number(const RunConfiguration& configuration, const Resources& resources,
+                                              std::string_view name);
 
 /// The same by its name. Errors: also Usage for a name that no home of the run has.
 Result<Scene> make_home(const RunConfiguration& configuration, const Resources& resources, std::string_view name);

@@ -5,7 +5,6 @@
 #include <variant>
 
 #include "annotator/home_facts.h"
-#include "annotator/instruction.h"
 #include "core/in_quotes.h"
 #include "core/rng.h"
 #include "dataset/candidate_number.h"
@@ -58,7 +57,7 @@ Result<Remade> TaskRemaker::make(const RunConfiguration& configuration, const Ta
                                        wording_stream(task.run, task.slot, task.attempt));
   if (!instruction) return instruction.error();
   if (!is_known_template(resources_, task.template_name)) instruction->text.clear();
-  return Remade{std::move(episode), std::move(instruction->text)};
+  return Remade{std::move(episode), std::move(*instruction)};
 }
 
 std::shared_ptr<const Home> TaskRemaker::prepared(const std::shared_ptr<const Scene>& scene, bool given) {

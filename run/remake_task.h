@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "annotator/instruction.h"
 #include "core/result.h"
 #include "dataset/configuration.h"
 #include "grounding/episode.h"
@@ -19,7 +20,7 @@ namespace unietp {
 /// A task's start and first instruction, as the run made them.
 struct Remade {
   Episode episode;
-  std::string instruction;  // "": its template, whose phrasings it may have, is not known here
+  Instruction instruction;  // text "": its template, whose phrasings it may have, is not known here
 };
 
 /// Makes starts and instructions of tasks again from what their records ask for, as the run made them. Thread-safe.

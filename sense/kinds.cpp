@@ -4,7 +4,7 @@
 
 #include "akb/row_reader.h"
 #include "core/files.h"
-#include "core/table_limits.h"
+#include "core/limits.h"
 
 namespace unietp {
 

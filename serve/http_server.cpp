@@ -10,7 +10,7 @@
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
 
-#include "core/program_limits.h"
+#include "core/limits.h"
 #include "serve/http_origin.h"
 
 namespace unietp {

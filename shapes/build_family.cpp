@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/limits.h"
 #include "core/rng.h"
-#include "core/shape_limits.h"
 #include "shapes/family.h"
 #include "shapes/known_values.h"
 

@@ -6,7 +6,7 @@
 #include "akb/csv.h"
 #include "core/files.h"
 #include "core/in_quotes.h"
-#include "core/shape_limits.h"
+#include "core/limits.h"
 #include "core/text.h"
 
 namespace unietp {

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "core/in_quotes.h"
+#include "core/limits.h"
 #include "core/sexpr.h"
-#include "core/shape_limits.h"
 #include "core/text.h"
 #include "shapes/family.h"
 #include "shapes/known_values.h"

@@ -13,8 +13,10 @@ namespace unietp {
 /// lines, home and settings are as before is not proven anew. Thread-safe. Memory: all of them.
 class ProofMemory {
  public:
-  /// The text of all that a proof depends on. `home`: the SHA-256 of its file.
-  static std::string key_of(const TaskLines& lines, const std::string& home, const ManifestRecord& manifest);
+  /// The text of all that a proof depends on. `home`: the SHA-256 of its file. `former`: the text before an edit, or
+  /// "".
+  static std::string key_of(const TaskLines& lines, const std::string& home, const ManifestRecord& manifest,
+                            const std::string& former);
 
   /// nullptr for a key that is not kept.
   std::shared_ptr<const TaskProof> find(const std::string& key) const;

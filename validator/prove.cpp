@@ -129,7 +129,9 @@ class TaskProver {
     proof_.counts.tempting += some_breaks_it_ ? 1 : 0;
     if (reading_.wordings) prove_wordings(*reading_.wordings, traces, in_m1 == shown.end() ? nullptr : &in_m1->second);
     if (in_m1 != shown.end() && proof_.problems.empty()) prove_forms(in_m1->second);  // which read what is proven
+    prove_former_text();
     if (proof_.problems.empty()) compare_with_remade();
+    if (proof_.problems.empty() && in_m1 != shown.end()) compare_with_remade_wordings(in_m1->second);
   }
 
   /// Each test of a phrase that tells apart tells from something. Where goals are to be what people would say, what is
@@ -161,10 +163,38 @@ class TaskProver {
       found(ProblemKind::Edits, reading_.where, "its start is not the one that goal, home and seed give");
     if (made->edits != task_.edits)
       found(ProblemKind::Edits, reading_.where, "the edits of its start differ from those that lead to it");
-    if (!tools_.manifest->writing && text_writer_of(task_.writer) == TextWriter::Grammar &&
-        !made->instruction.empty() && made->instruction != task_.instruction)
+    if (text_writer_of(task_.writer) != TextWriter::Grammar || made->instruction.empty()) return;
+    if (made->instruction != task_.instruction)
       found(ProblemKind::TextRecord, reading_.where,
-            "its instruction is not the one that the run wrote, and the manifest says of no other writing");
+            "its instruction is not the one that the grammar writes with the seed that the manifest names");
+    if (made->phrasing != task_.phrasing)
+      found(ProblemKind::TextRecord, reading_.where,
+            "its instruction is recorded as phrasing " + std::to_string(task_.phrasing) + " of its template, but is " +
+                std::to_string(made->phrasing) + " (0: none)");
+  }
+
+  /// Paired wordings that say the same, but are not those that `annotate` wrote.
+  void compare_with_remade_wordings(const DemonstrationRecord& shown) {
+    if (!reading_.wordings || tools_.manifest == nullptr || !tools_.options.remake_wordings) return;
+    const auto& writing = tools_.manifest->writing;
+    if (!writing || !writing->pairs) return;  // which the manifest's check tells
+    const auto made = tools_.options.remake_wordings(task_, start_, shown, *tools_.manifest);
+    if (!made)
+      return found(ProblemKind::Wordings, kWordingsFile, "its wordings cannot be made again: " + made.error().message);
+    if (*made && **made != *reading_.wordings)
+      found(ProblemKind::Wordings, kWordingsFile,
+            "its wordings are not those that the grammar writes with the seed that the manifest names");
+  }
+
+  /// The text that a person replaced meant the goal, too; it is the grammar's or a model's.
+  void prove_former_text() {
+    const auto former = tools_.former.find(task_.id);
+    if (former == tools_.former.end() || !goal_ || !tools_.options.check_text || tools_.options.accept_unchecked)
+      return;
+    if (!problems_of(former->second, "grammar", task_.style, nullptr, *goal_).empty() &&
+        !problems_of(former->second, "llm:model", task_.style, nullptr, *goal_).empty())
+      found(ProblemKind::Reviews, reading_.where,
+            "its text before the edit, \"" + former->second + "\", does not say its goal");
   }
 
   void prove_forms(const DemonstrationRecord& shown) {
@@ -311,7 +341,7 @@ class TaskProver {
 
   /// Direct and complex words are of the task's goal; those that refer have a goal that the demonstration reaches too.
   void prove_wordings(const WordingsRecord& record, const TraceMaker& traces, const DemonstrationRecord* shown) {
-    const std::string where = "wordings.jsonl";
+    const std::string where = kWordingsFile;
     if (record.pair != record.task) found(ProblemKind::Wordings, where, "has the pair id " + record.pair);
     prove_others(record, where);
     for (const auto& [kind, wording] : record.wordings) {

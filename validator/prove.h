@@ -7,6 +7,7 @@
 #include "record/manifest_record.h"
 #include "validator/proof_counts.h"
 #include "validator/rest.h"
+#include "validator/review_check.h"
 #include "validator/task_facts.h"
 #include "validator/task_reading.h"
 #include "validator/validation_options.h"
@@ -20,6 +21,7 @@ struct ProofTools {
   const ValidationOptions& options;
   RestCheck& rest;
   const ManifestRecord* manifest = nullptr;  // null when it does not read
+  const FormerTexts& former;
 };
 
 /// Result of proving one task.

@@ -10,7 +10,33 @@ namespace {
 
 constexpr const char* kReviewsFile = "reviews.jsonl";
 
+bool has_reviews(const std::filesystem::path& folder) {
+  std::error_code code;
+  return std::filesystem::exists(folder / kReviewsFile, code);
+}
+
+auto open_reviews(const std::filesystem::path& folder) {
+  return RecordFile<ReviewMarkRecord>::open(folder, kReviewsFile, FileNames::InFolder, read_review_mark);
+}
+
+std::string in_words(const RecordedReviews& counts) {
+  return std::to_string(counts.accepted) + " accepted, " + std::to_string(counts.rejected) + " rejected and " +
+         std::to_string(counts.edited) + " edited";
+}
+
 }  // namespace
+
+FormerTexts former_texts(const std::filesystem::path& folder) {
+  FormerTexts former;
+  if (!has_reviews(folder)) return former;
+  auto file = open_reviews(folder);
+  while (file) {
+    const auto line = file->next();
+    if (!line) break;
+    if (*line && !(*line)->before.empty()) former[(*line)->task] = (*line)->before;
+  }
+  return former;
+}
 
 void ReviewCheck::add(const TaskRecord& task) {
   const auto writer = text_writer_of(task.writer);
@@ -27,9 +53,9 @@ ProblemList ReviewCheck::finish(TaskNames& tasks) {
     problems.add(problem_in(ProblemKind::Reviews, where, std::move(message)));
   };
   auto edited = edited_, removed = removed_;
-  std::error_code code;
-  if (std::filesystem::exists(folder_ / kReviewsFile, code)) {
-    auto file = RecordFile<ReviewMarkRecord>::open(folder_, kReviewsFile, FileNames::InFolder, read_review_mark);
+  RecordedReviews counts;
+  if (has_reviews(folder_)) {
+    auto file = open_reviews(folder_);
     if (!file) {
       problems.add({ProblemKind::Unreadable, "", file.error()});
       return problems;
@@ -41,6 +67,9 @@ ProblemList ReviewCheck::finish(TaskNames& tasks) {
         continue;
       }
       const ReviewMarkRecord& mark = **line;
+      ++(mark.verdict == Judgment::Accept   ? counts.accepted
+         : mark.verdict == Judgment::Reject ? counts.rejected
+                                            : counts.edited);
       const auto wrong = [&](std::string message) { found(file->at(), std::move(message)); };
       if (mark.task <= last) wrong("stands behind " + last + "; expected the tasks in order of id, each once");
       last = mark.task;
@@ -63,6 +92,10 @@ ProblemList ReviewCheck::finish(TaskNames& tasks) {
       }
     }
   }
+  const auto recorded = manifest_.reviews.value_or(RecordedReviews());
+  if (recorded != counts || manifest_.reviews.has_value() != has_reviews(folder_))
+    found(kReviewsFile, "has " + in_words(counts) + ", but the manifest says " +
+                            (manifest_.reviews ? in_words(recorded) : std::string("of no reviews")));
   for (const auto& [task, unused] : edited)
     found(kReviewsFile, "lacks the edit of " + task + ", whose text is by a person");
   for (const auto& [task, unused] : removed) found(kReviewsFile, "lacks the decision to take out " + task);

@@ -11,9 +11,14 @@
 
 namespace unietp {
 
-/// Compares reviews.jsonl with the tasks and the rejections: a decision for each task that people edited or took out,
-/// in the order of the ids. What people decided about tasks that stay as they are, and their comments, follow from
-/// nothing.
+/// By task, the texts that edits replaced, as reviews.jsonl says.
+using FormerTexts = std::map<std::string, std::string>;
+/// Those of a folder, as far as the file can be read; ReviewCheck finds what is wrong with it.
+FormerTexts former_texts(const std::filesystem::path& folder);
+
+/// Compares reviews.jsonl with the tasks and the rejections, and with the counts of the manifest: a decision for each
+/// task that people edited or took out, in the order of the ids. Which of the tasks that stay were accepted, and what
+/// people say of them, follows from nothing.
 class ReviewCheck {
  public:
   ReviewCheck(std::filesystem::path folder, const ManifestRecord& manifest)

@@ -97,6 +97,11 @@ class WholeSet {
     }
     if (recount_.all_read()) database_.add(task, facts);
     if (task.record) homes_.insert(task.record->layout);
+    if (task.record && options_.home_in_run) {
+      auto fault = options_.home_in_run(*task.record, manifest_);
+      if (!fault.empty())
+        of_homes_.add({ProblemKind::HomeFile, task.name, {Error::Kind::Schema, task.where, {}, fault}});
+    }
     repeats_.add(place, facts);
     for (std::size_t i = 0; i < leaks_.size(); ++i) {
       if (leaks_[i]) leaks_[i]->add(task, facts, nearest.empty() ? std::nullopt : nearest[i]);
@@ -128,8 +133,15 @@ class WholeSet {
     }
     problems.add(candidates_.finish(tasks_read && rejections.all_read));
     problems.add(reviews_.finish(names));
+    std::error_code code;
+    const bool has_pairs = manifest_.writing && manifest_.writing->pairs;
+    if (fs::exists(folder_ / kWordingsFile, code) != has_pairs)
+      problems.add(problem_in(ProblemKind::Wordings, kManifest,
+                              has_pairs ? "says how wordings.jsonl was written, which is not there"
+                                        : "does not say how wordings.jsonl was written"));
     problems.add(check_derived_files(folder_, manifest_, options_.derive_files));
     if (tasks_read) problems.add(check_homes(folder_, manifest_, {homes_.begin(), homes_.end()}, options_));
+    problems.add(std::move(of_homes_));
     problems.add(repeats_.problems(names));
     for (const auto& search : leaks_) {
       if (search) problems.add(search->problems(manifest_.run.seed));
@@ -144,6 +156,7 @@ class WholeSet {
   const ValidationOptions& options_;
   TaskRecount recount_;
   std::set<std::string> homes_;  // of the tasks
+  ProblemList of_homes_;
   KeyList candidate_keys_;
   CandidateCheck candidates_;
   DatabaseCheck database_;
@@ -185,7 +198,9 @@ TaskProof proof_of(const TaskReading& task, const TaskLines& lines, const ProofT
                                               : tools.manifest->files.find(home_file(task.record->layout));
   if (memory == nullptr || tools.manifest == nullptr || home == tools.manifest->files.end())
     return prove_task(task, lines, tools);
-  const auto key = ProofMemory::key_of(lines, home->second.sha256, *tools.manifest);
+  const auto former = tools.former.find(task.record->id);
+  const auto key = ProofMemory::key_of(lines, home->second.sha256, *tools.manifest,
+                                       former == tools.former.end() ? "" : former->second);
   if (const auto known = memory->find(key)) return *known;
   auto proof = prove_task(task, lines, tools);
   memory->keep(key, proof);
@@ -289,7 +304,8 @@ ValidationReport validate_dataset(const fs::path& folder, const std::vector<Vali
   if (!reader) return stop_with(reader.error());
 
   RestCheck rest(options.rest_m);
-  const ProofTools tools{*reader, backends, options, rest, manifest ? &*manifest : nullptr};
+  const auto former = former_texts(folder);
+  const ProofTools tools{*reader, backends, options, rest, manifest ? &*manifest : nullptr, former};
   const OwnTasks own(options, manifest ? manifest->tasks : 0);
   std::optional<WholeSet> whole;
   if (manifest && own.have_the_whole_set()) whole.emplace(folder, *manifest, options);

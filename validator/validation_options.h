@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "record/dataset_reader.h"
 #include "record/manifest_record.h"
 #include "record/task_record.h"
+#include "record/wordings_record.h"
 #include "scene/scene.h"
 #include "simulation/profile.h"
 #include "validator/must_fail.h"
@@ -39,6 +41,9 @@ using DeriveFiles = std::function<Result<DerivedFiles>(const ManifestRecord&)>;
 using TemplateCheck =
     std::function<std::vector<Problem>(const TaskRecord&, const Formula& goal, const ManifestRecord&)>;
 
+/// What is wrong with a task's home as the one of its place in the run, or "". Called by one thread at a time.
+using HomeInRun = std::function<std::string(const TaskRecord&, const ManifestRecord&)>;
+
 /// Makes a home of a run again by its name. Errors: Usage for a name that no home of the run has. Called by several
 /// threads at once.
 using MakeHome = std::function<Result<Scene>(const ManifestRecord&, const std::string& name)>;
@@ -47,13 +52,22 @@ using MakeHome = std::function<Result<Scene>(const ManifestRecord&, const std::s
 struct RemadeTask {
   Delta changes;                   // of the home, which make the start
   std::vector<std::string> edits;  // the same in words
-  std::string instruction;         // that the grammar wrote at first; annotate or people may have replaced it
+  /// What the grammar writes with the seed of the run, or of its rewriting. One of the texts that it has in place of
+  /// one that another task of the home has, where the task's is one. "": the template is not known here.
+  std::string instruction;
+  int phrasing = 0;  // the template's own that it is; 0: none
 };
 /// Makes start and instruction of a task again, from its record with goal and start constraints read, in its home.
 /// Errors: why there is none. Called by several threads at once, and only for a task of which nothing else is wrong.
 using RemakeTask =
     std::function<Result<RemadeTask>(const TaskRecord&, const Formula& goal, const std::vector<Formula>& constraints,
                                      const std::shared_ptr<const Scene>& home, const ManifestRecord&)>;
+
+/// Makes a task's line of wordings.jsonl again, with what the manifest says of it; nullopt where the template, whose
+/// phrasings it may have, is not known here. Errors: why there is none. Called by several threads at once, and only for
+/// a task of which nothing else is wrong.
+using RemakeWordings = std::function<Result<std::optional<WordingsRecord>>(
+    const TaskRecord&, const Scene& start, const DemonstrationRecord& in_m1, const ManifestRecord&)>;
 
 /// The forms of its simulator that express a task with its demonstration in M1. Called by several threads at once.
 using FormsOf = std::function<std::vector<std::string>(FinishedTask)>;
@@ -76,8 +90,10 @@ struct ValidationOptions {
   TextCheck check_text;          // none: instructions are not read
   TemplateCheck check_template;  // none: templates are not looked up
   std::map<std::string, std::string> known_homes;  // of the benchmark: the SHA-256 of their JSON, by name
+  HomeInRun home_in_run;                           // none: tasks may be in any home
   MakeHome make_home;                              // none: homes are only held against physics
   RemakeTask remake_task;                          // none: starts are only held against physics
+  RemakeWordings remake_wordings;                  // none: paired wordings are only read back
   FormsOf forms_of;                                // none: a task's forms are only counted
   DeriveFiles derive_files;                        // none: README.md and the sources are not compared
   std::vector<std::filesystem::path> against;      // finished data sets with which nothing may be shared

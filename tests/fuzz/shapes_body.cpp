@@ -1,5 +1,5 @@
 #include "bodies.h"
-#include "core/shape_limits.h"
+#include "core/limits.h"
 #include "fuzz_bodies.h"
 #include "shapes/device.h"
 #include "shapes/library.h"

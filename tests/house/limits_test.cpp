@@ -1,4 +1,4 @@
-// docs/limits.md lists every bound of core/limits.h and the headers like it with its value.
+// docs/limits.md lists every bound of core/limits.h with its value.
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -32,10 +32,7 @@ double value_of(std::string expression, const std::map<std::string, double>& kno
 
 std::map<std::string, double> bounds_of_header() {
   std::map<std::string, double> bounds;
-  std::string text;
-  for (const char* header :
-       {"limits.h", "evaluation_limits.h", "program_limits.h", "resource_limits.h", "shape_limits.h", "table_limits.h"})
-    text += *read_file(kCheckout / "core" / header);
+  const std::string text = *read_file(kCheckout / "core" / "limits.h");
   for (const auto& line : split(text, '\n')) {
     if (!line.starts_with("inline constexpr ")) continue;
     std::string list = line.substr(0, line.find(';'));

@@ -1,9 +1,12 @@
 #include "validator/review_check.h"
 
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/files.h"
+#include "core/text.h"
 #include "tests/support/scratch_folder.h"
 #include "validator/candidate_check.h"
 
@@ -23,7 +26,18 @@ std::string mark(int slot, const std::string& verdict, const std::string& before
 /// A set of three tasks, of which the second one's text is by a person, and one that a review took out.
 class Reviewed : public ::testing::Test {
  protected:
+  /// With the counts of the verdicts in the manifest.
   std::vector<std::string> found(const std::string& reviews) {
+    const auto count = [&](const std::string& verdict) {
+      const auto lines = split(reviews, '\n');
+      return static_cast<int>(std::count_if(lines.begin(), lines.end(), [&](const std::string& line) {
+        return line.find('"' + verdict + '"') != std::string::npos;
+      }));
+    };
+    manifest_.reviews = RecordedReviews{count("accept"), count("reject"), count("edit")};
+    return found_uncounted(reviews);
+  }
+  std::vector<std::string> found_uncounted(const std::string& reviews) {
     EXPECT_TRUE(write_file(folder_.path() / "reviews.jsonl", reviews));
     return found();
   }
@@ -51,7 +65,6 @@ class Reviewed : public ::testing::Test {
   const std::string edit_ = mark(1, "edit", "Open a fridge."), removal_ = mark(4, "reject", "", "dull");
   ManifestRecord manifest_;
 
- private:
   ScratchFolder folder_;
 };
 
@@ -60,6 +73,19 @@ TEST_F(Reviewed, EachEditAndRejectionHasItsLine) {
   EXPECT_THAT(found(mark(0, "accept") + edit_ + removal_), IsEmpty()) << "what people say of other tasks is theirs";
   EXPECT_THAT(found(removal_), ElementsAre(HasSubstr("lacks the edit of habitat-00002")));
   EXPECT_THAT(found(edit_), ElementsAre(HasSubstr("lacks the decision to take out habitat-00005")));
+}
+TEST_F(Reviewed, TheVerdictsAreAsManyAsTheManifestSays) {
+  const std::string all = mark(0, "accept") + edit_ + removal_;
+  EXPECT_THAT(found_uncounted(all), ElementsAre(HasSubstr("but the manifest says of no reviews")));
+  EXPECT_THAT(found(all), IsEmpty());
+  const auto wrong = ElementsAre(HasSubstr("but the manifest says 1 accepted, 1 rejected and 1 edited"));
+  EXPECT_THAT(found_uncounted(edit_ + removal_), wrong);
+  EXPECT_THAT(found_uncounted(mark(0, "reject") + edit_ + removal_), wrong);
+  EXPECT_THAT(found_uncounted(all), IsEmpty());
+}
+TEST_F(Reviewed, TheFormerTextsAreThoseOfTheEdits) {
+  EXPECT_THAT(found(mark(0, "accept") + edit_ + removal_), IsEmpty());
+  EXPECT_THAT(former_texts(folder_.path()), ElementsAre(::testing::Pair("habitat-00002", "Open a fridge.")));
 }
 TEST_F(Reviewed, TheFileMayBeMissingOnlyWhenNothingWasDecided) {
   EXPECT_THAT(found(), ElementsAre(HasSubstr("lacks the edit"), HasSubstr("lacks the decision")));
