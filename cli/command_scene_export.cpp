@@ -26,9 +26,12 @@ Result<SceneWriter> writer_named(const std::string& format) {
     return
         [write](const Scene& scene, const Knowledge& knowledge, const FormatFacts&) { return write(scene, knowledge); };
   };
+  const auto house = [](const Scene& scene, const Knowledge& knowledge, const FormatFacts& facts) {
+    return write_procthor(scene, knowledge, facts);
+  };
   const std::map<std::string, SceneWriter> writers{{"behavior", plain(write_behavior)},
                                                    {"habitat", plain(write_habitat)},
-                                                   {"procthor", write_procthor},
+                                                   {"procthor", house},
                                                    {"virtualhome", write_virtualhome}};
   if (const auto found = writers.find(format); found != writers.end()) return found->second;
   std::vector<std::string> names;

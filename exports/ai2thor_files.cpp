@@ -77,7 +77,10 @@ Result<ThorHouse> write_house(const FinishedTask& task, const Knowledge& knowled
     if (facts.model_lacks.contains(node.asset) && !own_id_of(node, Simulator::Ai2thor))
       edit_node(scene, node.id)->asset.clear();
   }
-  auto written = write_procthor(scene, knowledge, facts);
+  const auto listed = [&](const std::string& thing, const std::string& place) {
+    return listed_in_ai2thor(knowledge, thing, place);
+  };
+  auto written = write_procthor(scene, knowledge, facts, listed);
   if (!written) return written.error();
   ThorHouse house{std::move(*written), {}};
   for (const auto& [id, category] : pieces) {

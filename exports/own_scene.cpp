@@ -65,9 +65,9 @@ std::string without_action(const FinishedTask& task) {
   return "";
 }
 
-/// Whether AI2-THOR's and ProcTHOR's own files have a thing of one category on or in one of the other, or in the part
-/// of it that holds things.
-bool is_listed(const Knowledge& knowledge, const std::string& thing, const std::string& place) {
+}  // namespace
+
+bool listed_in_ai2thor(const Knowledge& knowledge, const std::string& thing, const std::string& place) {
   const std::string_view part = place == "ShelvingUnit" ? "Shelf" : thor_holding_part(place);
   for (const std::string_view holder : {std::string_view(place), part}) {
     for (const Predicate relation : {Predicate::On, Predicate::Inside}) {
@@ -77,8 +77,6 @@ bool is_listed(const Knowledge& knowledge, const std::string& thing, const std::
   }
   return false;
 }
-
-}  // namespace
 
 bool in_own_scene(const Scene& start) {
   return std::any_of(start.nodes.begin(), start.nodes.end(),
@@ -91,7 +89,8 @@ std::string unlisted_in_ai2thor(const FinishedTask& task, const Knowledge& knowl
     if (edge.relation != Predicate::On && edge.relation != Predicate::Inside) continue;
     const Node* const thing = find_node(task.start, edge.from);
     const Node* const place = find_node(task.start, edge.to);
-    if (thing == nullptr || place == nullptr || is_listed(knowledge, thing->category, place->category)) continue;
+    if (thing == nullptr || place == nullptr || listed_in_ai2thor(knowledge, thing->category, place->category))
+      continue;
     return "no table of AI2-THOR's has " + thing->category + " on or in " + place->category;
   }
   return "";

@@ -23,6 +23,10 @@ std::optional<Predicate> untold_in(Simulator simulator, const Formula& goal);
 /// no primitive for.
 std::string beyond_own_simulator(const FinishedTask& task);
 
+/// Whether AI2-THOR's and ProcTHOR's own files have a thing of one category on or in one of the other, or in the part
+/// of it that holds things.
+bool listed_in_ai2thor(const Knowledge& knowledge, const std::string& thing, const std::string& place);
+
 /// What the start of a task in one of AI2-THOR's own scenes puts on or in something that has no such thing in
 /// AI2-THOR's and ProcTHOR's own files; "" when there is none, and for other homes.
 std::string unlisted_in_ai2thor(const FinishedTask& task, const Knowledge& knowledge);

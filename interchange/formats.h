@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -39,9 +40,14 @@ struct ExportedScene {
   std::map<std::string, std::string> names = {};   // of our objects, by id, where the file names its objects
   std::map<std::string, std::string> models = {};  // of our objects, by id, in a house of AI2-THOR
 };
+/// Whether a thing of a category may be on or in something of another.
+using MayHold = std::function<bool(const std::string& thing, const std::string& place)>;
 /// A house for AI2-THOR's CreateHouse, a VirtualHome environment graph, a Habitat scene instance. Deterministic.
-/// Errors: for a scene of another simulator; for a house, also without a room.
-Result<ExportedScene> write_procthor(const Scene& scene, const Knowledge& knowledge, const FormatFacts& facts);
+/// `may_hold`: of a house, what is on or in something else is left out with all that it holds, but for objects of a
+/// house of ProcTHOR's own; without it all stays. Errors: for a scene of another simulator; for a house, also without a
+/// room.
+Result<ExportedScene> write_procthor(const Scene& scene, const Knowledge& knowledge, const FormatFacts& facts,
+                                     const MayHold& may_hold = {});
 /// The id in a house of each of a scene's rooms: its own in a house of ProcTHOR's, for others the next of "room|2", ….
 std::vector<std::string> procthor_room_ids(const Scene& scene);
 Result<ExportedScene> write_virtualhome(const Scene& scene, const Knowledge& knowledge, const FormatFacts& facts);

@@ -32,10 +32,11 @@ std::string two_decimals(double value) {
 
 class HouseWriter {
  public:
-  HouseWriter(const Scene& scene, const Knowledge& knowledge, const FormatFacts& facts)
+  HouseWriter(const Scene& scene, const Knowledge& knowledge, const FormatFacts& facts, const MayHold& may_hold)
       : scene_(scene),
         knowledge_(knowledge),
         facts_(facts),
+        may_hold_(may_hold),
         rooms_(procthor_room_ids(scene)),
         parts_(wall_parts(scene)) {}
 
@@ -193,19 +194,40 @@ class HouseWriter {
       return scene_.nodes[a].size.prod() < scene_.nodes[b].size.prod();
     });
     std::vector<bool> inside(scene_.nodes.size(), false);
+    std::vector<std::vector<std::size_t>> held(scene_.nodes.size());
     for (const std::size_t i : order) {
       if (!made[i]) continue;
       auto holder = holder_[i];
       while (holder && !(made[*holder] && can_hold(scene_.nodes[*holder]))) holder = holder_[*holder];
       if (!holder) continue;
-      (*made[*holder])["children"].push_back(*made[i]);
       inside[i] = true;
+      if (const std::string why = misplaced(i, *holder); !why.empty()) {
+        leave_out(i, held, why);
+        continue;
+      }
+      (*made[*holder])["children"].push_back(*made[i]);
+      held[*holder].push_back(i);
     }
     Json objects = Json::array();
     for (std::size_t i = 0; i < made.size(); ++i) {
       if (made[i] && !inside[i]) objects.push_back(std::move(*made[i]));
     }
     return objects;
+  }
+
+  /// Why a thing may not be on or in another; "" where it may.
+  std::string misplaced(std::size_t thing, std::size_t holder) const {
+    const Node &one = scene_.nodes[thing], &place = scene_.nodes[holder];
+    if (!may_hold_ || own_id_of(one, Simulator::Ai2thor) || may_hold_(one.category, place.category)) return "";
+    return "no table of AI2-THOR's has " + one.category + " on or in " + place.category;
+  }
+
+  /// Takes out an object, and all that it holds. What is not there has no name.
+  void leave_out(std::size_t i, const std::vector<std::vector<std::size_t>>& held, const std::string& why) {
+    left_out_.push_back(scene_.nodes[i].id + ": " + why);
+    names_.erase(scene_.nodes[i].id);
+    models_.erase(scene_.nodes[i].id);
+    for (const std::size_t one : held[i]) leave_out(one, held, why);
   }
 
   /// Whether things can be on or in an object of the house there: a plant that something lies on is no receptacle, and
@@ -308,6 +330,7 @@ class HouseWriter {
   const Scene& scene_;
   const Knowledge& knowledge_;
   const FormatFacts& facts_;
+  const MayHold& may_hold_;
   std::vector<std::string> rooms_;  // the house's ids
   std::vector<WallPart> parts_;
   std::vector<std::size_t> missing_;                // parts of walls that are not there
@@ -339,14 +362,15 @@ std::vector<std::string> procthor_room_ids(const Scene& scene) {
   return ids;
 }
 
-Result<ExportedScene> write_procthor(const Scene& scene, const Knowledge& knowledge, const FormatFacts& facts) {
+Result<ExportedScene> write_procthor(const Scene& scene, const Knowledge& knowledge, const FormatFacts& facts,
+                                     const MayHold& may_hold) {
   const auto refuse = [&](std::string message) { return Error{Error::Kind::Usage, scene.id, {}, std::move(message)}; };
   if (scene.simulator != Simulator::Ai2thor || knowledge.simulator() != Simulator::Ai2thor) {
     return refuse("ProcTHOR houses contain AI2-THOR's objects; this scene belongs to " +
                   std::string(name_of(scene.simulator)));
   }
   if (scene.rooms.empty()) return refuse("a house needs a room");
-  return HouseWriter(scene, knowledge, facts).write();
+  return HouseWriter(scene, knowledge, facts, may_hold).write();
 }
 
 }  // namespace unietp

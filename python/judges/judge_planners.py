@@ -3,21 +3,24 @@
 For each problem Fast Downward (up-fast-downward) grounds the task; in what it makes of it (sas_task.py) the stored plan must
 reach the goal, and not without any one of its steps. Then it must find a plan itself, with the first search of LAMA. Of each
 N-th problem unified-planning's validator, which reads the PDDL with a parser of its own, is asked the same of the stored plan,
-of those that lack one of its steps, and of the plan that was found. Reading takes most of its time, so it reads a problem once.
+of those that lack one of its steps, and of the plan that was found. Reading a domain takes most of its time, so each process reads
+one once, and judges its problems in children that have it.
 
 OUT.csv gets a row as soon as a problem is judged, so that a slow one holds up no other, and a later call goes on with those
-that have none; where unified-planning was not asked and now is, it is asked without Fast Downward. Problems come in an order that
-has nothing to do with what they are, so that those judged so far are a fair sample. Grounding, searching and validating each have
-a limit of memory and of time of the processor; a problem that needs more is recorded as "not within" it. The limit of time is
-generous, so that the one of memory, which does not depend on how fast the machine is, comes first.
+that have none, or one of another domain, problem or plan by its digest (`of`); where unified-planning was not asked and now is, it
+is asked without Fast Downward. Problems come in an order that has nothing to do with what they are, so that those judged so far are a
+fair sample. Grounding, searching and validating each have a limit of memory and of time of the processor; a problem that needs more
+is recorded as "not within" it. The limit of time is generous, so that the one of memory, which does not depend on how fast the
+machine is, comes first.
 
 Exit code 1: a problem was not grounded or solved, or a plan was judged otherwise than it should be.
 """
 
 import argparse
 import csv
+import functools
 import hashlib
-import json
+import multiprocessing
 import os
 import resource
 import subprocess
@@ -25,12 +28,12 @@ import sys
 import tempfile
 import warnings
 from collections import Counter
-from concurrent.futures import ThreadPoolExecutor, as_completed
+from concurrent.futures import ProcessPoolExecutor, as_completed
 from pathlib import Path
 
 import up_fast_downward
 from unified_planning.engines import SequentialPlanValidator
-from unified_planning.io import PDDLReader
+from unified_planning.io import PDDLReader, pddl_reader
 from unified_planning.plans import SequentialPlan
 
 from report import finish
@@ -43,9 +46,13 @@ SPARE = ("note", "judge")
 # Fast Downward looks for facts that exclude each other, to make variables of them: nine tenths of the time for large problems.
 # Without them each fact is a variable of its own, which changes neither what actions do nor which plans there are.
 WITHOUT_INVARIANTS = ("--invariant-generation-max-candidates", "0")
-COLUMNS = ("task", "grounded", "stored_steps", "stored_valid", "steps_not_needed", "solved", "solution_steps", "solution_valid",
+COLUMNS = ("task", "of", "grounded", "stored_steps", "stored_valid", "steps_not_needed", "solved", "solution_steps", "solution_valid",
            "unified_planning", "not_needed_by_unified_planning")  # fmt: skip
 
+FORK = multiprocessing.get_context("fork")
+# The reader parses the domain's text again with each problem; children of a process that has read it find it parsed.
+pddl_reader.parse_string = functools.lru_cache(maxsize=None)(pddl_reader.parse_string)
+READER = PDDLReader()
 
 # What Fast Downward's exit codes say of its limits; 24 is both.
 OUT_OF_MEMORY, OUT_OF_TIME = (20, 22, 24), (21, 23)
@@ -72,22 +79,49 @@ class Limits:
     def validate(self, problem, plans):
         """What unified-planning's validator says of a problem and plans in files: for each whether it reaches the goal, and
         the numbers of the steps without which it does; why it did not say, as text."""
-        command = [sys.executable, __file__, "--validate", str(problem), *map(str, plans)]
-        done = subprocess.run(command, capture_output=True, text=True, preexec_fn=self.set)
-        if done.returncode == 0:
-            return json.loads(done.stdout.splitlines()[-1])
-        if done.returncode in (-9, -24):  # the kernel ends what has used its time
-            return f"not within {self.seconds} s"
-        return f"not within {self.memory} MiB" if "MemoryError" in done.stderr else f"exit code {done.returncode}"
+        read_domain(problem.with_name("domain.pddl"))
+        answers, end = FORK.Pipe(duplex=False)
+        child = FORK.Process(target=self.tell, args=(end, problem, plans))
+        child.start()
+        end.close()
+        try:
+            said = answers.recv()
+        except EOFError:
+            said = None
+        child.join()
+        if said is not None:
+            return said
+        # the kernel ends what has used its time
+        return f"not within {self.seconds} s" if child.exitcode in (-9, -24) else f"exit code {child.exitcode}"
+
+    def tell(self, end, problem, plans):
+        """In the child of `validate`."""
+        self.set()
+        try:
+            said = validated_by_unified_planning(problem, plans)
+        except MemoryError:
+            said = f"not within {self.memory} MiB"
+        end.send(said)
 
     def set(self):
         resource.setrlimit(resource.RLIMIT_CPU, (self.seconds, self.seconds))
         resource.setrlimit(resource.RLIMIT_AS, (self.memory << 20, self.memory << 20))
 
 
+@functools.cache
+def read_domain(domain):
+    READER.parse_problem(str(domain))
+
+
+def digest_of(problem):
+    """Of a problem, its domain and its stored plan."""
+    texts = [problem.with_name("domain.pddl"), problem, problem.with_suffix(".plan")]
+    return hashlib.sha256(b"".join(hashlib.sha256(text.read_bytes()).digest() for text in texts)).hexdigest()[:16]
+
+
 def judged_by_downward(problem, limits, folder):
     """The columns of a row up to `solution_valid`. The plan that was found is left in `folder`."""
-    row = {"task": problem.stem}
+    row = {"task": problem.stem, "of": digest_of(problem)}
     inputs = [problem.with_name("domain.pddl").resolve(), problem.resolve()]
     failed = limits.downward(
         folder, "--translate", *limits.of("translate"), *inputs, "--translate-options", *WITHOUT_INVARIANTS
@@ -118,15 +152,15 @@ def judged_by_downward(problem, limits, folder):
 
 def validated_by_unified_planning(problem, plans):
     """For each plan in a file: whether it reaches the goal, and the numbers of the steps without which it does."""
-    reader, validator = PDDLReader(), SequentialPlanValidator()
-    parsed = reader.parse_problem(str(problem.with_name("domain.pddl")), str(problem))
+    validator = SequentialPlanValidator()
+    parsed = READER.parse_problem(str(problem.with_name("domain.pddl")), str(problem))
 
     def accepts(actions):
         return bool(validator.validate(parsed, SequentialPlan(actions, parsed.environment)))
 
     answers = []
     for plan in plans:
-        steps = reader.parse_plan_string(parsed, plan.read_text()).actions
+        steps = READER.parse_plan_string(parsed, plan.read_text()).actions
         spare = [at for at in range(len(steps)) if accepts(steps[:at] + steps[at + 1 :])] if plan == plans[0] else []
         answers.append([accepts(steps), spare])
     return answers
@@ -147,7 +181,7 @@ def judged_by_unified_planning(problem, limits, found):
 
 
 def judge(problem, limits, by_unified_planning, before):
-    """`before`: the row of an earlier call; None where there is none."""
+    """`before`: the row of an earlier call; None where there is none of the same."""
     with tempfile.TemporaryDirectory() as folder:
         row = before or judged_by_downward(problem, limits, folder)
         more = judged_by_unified_planning(problem, limits, Path(folder) / "sas_plan") if by_unified_planning else {}
@@ -175,10 +209,6 @@ def read_rows(out):
 
 
 def main():
-    if sys.argv[1:2] == ["--validate"]:  # what Limits.validate starts
-        problem, *plans = map(Path, sys.argv[2:])
-        print(json.dumps(validated_by_unified_planning(problem, plans)))
-        return
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("folder", type=Path, help="what `unietp export --format pddl` wrote")
     options.add_argument("out", type=Path, help="a CSV file to write, or to go on with")
@@ -198,10 +228,12 @@ def main():
         left = []
         for number, problem in enumerate(problems):
             row, validated = before.get(problem.stem), number % options.each == 0
+            if row is not None and row["of"] != digest_of(problem):
+                row = None
             if row is None or (validated and not row["unified_planning"]):
                 left.append((problem, validated, row))
         limits = Limits(options.seconds, options.memory)
-        with ThreadPoolExecutor(options.jobs) as jobs:
+        with ProcessPoolExecutor(options.jobs, mp_context=FORK) as jobs:
             judged = as_completed([jobs.submit(judge, problem, limits, validated, row) for problem, validated, row in left])
             for number, row in enumerate(judged, len(problems) - len(left) + 1):
                 rows.writerow(row.result())

@@ -2,10 +2,11 @@
 
 Of each house: every object has an asset of the database, under the type that this has there; every door and window has one,
 in walls and between rooms that are there; every object is in a room, and in the one that its id names, unless it is of a house of
-ProcTHOR's own, whose rooms are numbered anew; what has children is a receptacle. Each object that the task names is in the house, but for pieces that AI2-THOR makes when it cuts, and has an asset
-that can do what the plan does with it. The package's own start needs pandas and Unity's controller, so its files are read. What lies in or
-on what is compared with what may: with the places of ProcTHOR's own houses and of iTHOR's floor plans and, with --types, with AI2-THOR's
-table of types. A house loads with any of them, so a place that none of these has is told (`unlisted`) and is no fault.
+ProcTHOR's own, whose rooms are numbered anew; what has children is a receptacle. Each object that the task names is in the house, but
+for pieces that AI2-THOR makes when it cuts, and has an asset that can do what the plan does with it. What lies in or on what is
+compared with what may: with the places of ProcTHOR's own houses and of iTHOR's floor plans and, with --types, with AI2-THOR's table of
+types. A place that none of these has is told (`unlisted`); with --types it is a fault. The package's own start needs pandas and Unity's
+controller, so its files are read.
 
 A floor plan of iTHOR is named only: each object that the plan of the task names is one of it, and what is put is put into its room.
 Ids have positions in them, which differ between versions of AI2-THOR: other objects that this one does not have are told (`elsewhere`).
@@ -54,6 +55,7 @@ class Databases:
         self.places = {(kind, place) for place, kinds in places.items() for kind in kinds}
         for plan in self.plans.values():
             self.places |= {(thing["objectType"], kind_of(place)) for thing in plan.values() for place in thing["parentReceptacles"] or ()}
+        self.has_types = types is not None
         if types is not None:
             self.places |= {(kind, place) for kind, row in json.loads(types.read_text()).items() for place in row["compatible_receptacles"]}
 
@@ -178,9 +180,11 @@ def judge(path, databases):
     faults += faults_of_plan(task, there, databases)
     openings = len(house["doors"]) + len(house["windows"])
     places = [place for thing in house["objects"] for place in places_of(thing)]
+    odd = unlisted(places, databases.places)
+    faults += [f"where no table has it: {odd}"] if odd and databases.has_types else []
     return {
         "task": task["task"], "rooms": len(rooms), "openings": openings, "objects": len(things), "faults": "; ".join(faults),
-        "places": len(places), "unlisted": unlisted(places, databases.places),
+        "places": len(places), "unlisted": odd,
     }  # fmt: skip
 
 

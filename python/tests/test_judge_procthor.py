@@ -20,6 +20,7 @@ DATABASES = SimpleNamespace(
     },
     holes={"Doorway_1"},
     places={("Mug", "DiningTable"), ("Mug", "SinkBasin")},
+    has_types=False,
     plans={"FloorPlan9": {"Mug|+00.10|+00.90|+00.20": {"objectType": "Mug"}}},
 )
 
@@ -109,7 +110,7 @@ def test_in_a_house_of_procthors_own_ids_need_not_name_rooms(tmp_path):
     assert faults(tmp_path, house, TASK | {"objects": names, "plan": []}) == "mug-table|9|0|1 is 5.00 m outside all rooms"
 
 
-def test_a_thing_where_no_table_has_one_is_told_and_is_no_fault(tmp_path):
+def test_a_thing_where_no_table_has_one_is_told_and_is_a_fault_by_all_tables(tmp_path):
     house = sound()
     for kind, asset in (("Sink", "Sink_1"), ("Bed", "Bed_1")):
         mug_there = thing(f"Mug|2|{kind}", "Mug_1", "Mug", 1.0)
@@ -118,8 +119,11 @@ def test_a_thing_where_no_table_has_one_is_told_and_is_no_fault(tmp_path):
     (tmp_path / "ai2thor-00001.json").write_text(json.dumps(TASK))
     receptacle = {"primaryProperty": "Static", "secondaryProperties": ["Receptacle"]}
     more = {"Sink_1": receptacle | {"objectType": "Sink"}, "Bed_1": receptacle | {"objectType": "Bed"}}
-    row = judge(tmp_path / "ai2thor-00001.json", SimpleNamespace(**vars(DATABASES) | {"assets": DATABASES.assets | more}))
-    assert (row["faults"], row["places"], row["unlisted"]) == ("", 3, "Mug in or on Bed: 1")
+    odd = "Mug in or on Bed: 1"
+    for has_types, fault in ((False, ""), (True, f"where no table has it: {odd}")):
+        databases = SimpleNamespace(**vars(DATABASES) | {"assets": DATABASES.assets | more, "has_types": has_types})
+        row = judge(tmp_path / "ai2thor-00001.json", databases)
+        assert (row["faults"], row["places"], row["unlisted"]) == (fault, 3, odd)
 
 
 def test_the_type_of_a_part_is_its_last_word():

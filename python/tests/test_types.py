@@ -60,6 +60,13 @@ def test_the_package_agrees_with_its_types(tmp_path):
     assert code == 0, said
 
 
+def test_the_adapters_agree_with_their_types(tmp_path):
+    adapters = sorted((Path(__file__).parents[1] / "adapters").glob("*.py"))
+    assert adapters
+    code, said = check(tmp_path, *map(str, adapters))
+    assert code == 0, said
+
+
 def test_a_program_sees_the_types(tmp_path):
     (tmp_path / "agent.py").write_text(AGENT)
     code, said = check(tmp_path, "agent.py")

@@ -8,9 +8,11 @@
 
 #include "core/files.h"
 #include "data_set.h"
+#include "exports/own_scene.h"
 #include "program.h"
 #include "schema_checker.h"
 #include "tests/exports/ltlf_reader.h"
+#include "tests/support/committed_knowledge.h"
 
 namespace unietp::testing {
 namespace {
@@ -96,6 +98,26 @@ TEST_F(ExportAi2thor, EveryTaskIsWrittenOrLeftOutWithAReason) {
       EXPECT_EQ(checker.check(json_of(out / (task + ".json")), "ai2thor.schema.json"), "") << task;
   }
   EXPECT_GE(tasks_in(folder_->at("out")).size(), 12U) << "in houses of its own";
+}
+
+void expect_listed(const Json& place, const Knowledge& knowledge, std::size_t& pairs) {
+  for (const auto& thing : place.value("children", Json::array())) {
+    const std::string kind = thing["objectType"], in_or_on = place["objectType"];
+    EXPECT_TRUE(listed_in_ai2thor(knowledge, kind, in_or_on)) << kind << " in or on " << in_or_on;
+    ++pairs;
+    expect_listed(thing, knowledge, pairs);
+  }
+}
+
+TEST_F(ExportAi2thor, InHomesOfOursThingsAreWhereAi2thorsTablesHaveThem) {
+  const Knowledge& knowledge = committed_knowledge(Simulator::Ai2thor);
+  std::size_t pairs = 0;
+  for (const auto& task : tasks_in(folder_->at("small"))) {
+    SCOPED_TRACE(task);
+    const Json house = json_of(fs::path(folder_->at("small")) / (task + ".house.json"));
+    for (const auto& thing : house["objects"]) expect_listed(thing, knowledge, pairs);
+  }
+  EXPECT_GT(pairs, 50U);
 }
 
 TEST_F(ExportAi2thor, EveryObjectThatACallOrATestNamesIsInTheHouse) {

@@ -251,6 +251,48 @@ TEST(Procthor, WhatLiesOnAPlantIsOfWhatThePlantStandsOn) {
   EXPECT_EQ(on_table, (std::set<std::string>{"CellPhone", "HousePlant"}));
 }
 
+TEST(Procthor, WhatMayNotLieWhereItLiesIsLeftOutWithWhatItHolds) {
+  const Knowledge& knowledge = committed_knowledge(Simulator::Ai2thor);
+  Scene scene = small_home(knowledge, 1);
+  scene.nodes.clear();
+  scene.edges.clear();
+  Vec2 middle = Vec2::Zero();
+  for (const Vec2& corner : scene.rooms[0].polygon)
+    middle += corner / static_cast<double>(scene.rooms[0].polygon.size());
+  for (const char* const category : {"DiningTable", "Bowl", "Egg", "CellPhone"}) {
+    Node node;
+    node.id = node.category = category;
+    node.movable = category != std::string("DiningTable");
+    node.size = knowledge.find(category)->size;
+    node.pose.position << middle, node.size.z() / 2;
+    scene.nodes.push_back(node);
+  }
+  scene.edges = {{Predicate::On, "Bowl", "DiningTable"},
+                 {Predicate::Inside, "Egg", "Bowl"},
+                 {Predicate::On, "CellPhone", "DiningTable"}};
+  const auto names_with = [&](const MayHold& may_hold) {
+    const auto written = write_procthor(scene, knowledge, format_facts(), may_hold);
+    EXPECT_TRUE(written) << format(written.error());
+    std::set<std::string> names;
+    for (const auto& [id, name] : written->names) {
+      names.insert(id);
+      EXPECT_EQ(written->models.count(id), 1U);
+      EXPECT_NE(written->text.find(name), std::string::npos);
+    }
+    for (const std::string id : {"Bowl", "Egg", "CellPhone"}) {
+      const bool there = written->text.find("\"objectType\": \"" + id + "\"") != std::string::npos;
+      EXPECT_EQ(there, names.contains(id)) << id;
+    }
+    return std::pair(names, written->left_out);
+  };
+  EXPECT_EQ(names_with({}).first, (std::set<std::string>{"Bowl", "CellPhone", "DiningTable", "Egg"}));
+  const auto [names, left_out] =
+      names_with([](const std::string& thing, const std::string&) { return thing != "Bowl"; });
+  EXPECT_EQ(names, (std::set<std::string>{"CellPhone", "DiningTable"}));
+  const std::string why = ": no table of AI2-THOR's has Bowl on or in DiningTable";
+  EXPECT_EQ(left_out, (std::vector<std::string>{"Bowl" + why, "Egg" + why}));
+}
+
 TEST(Procthor, AHouseThatIsWrittenAndReadIsTheSameHome) {
   const auto houses = real_houses();
   if (houses.empty()) GTEST_SKIP() << needs::kSimulatorFiles;
