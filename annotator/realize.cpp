@@ -86,7 +86,7 @@ class Realizer {
       if (i > from && one_for_each(plan_.message[i - 1].clauses[0], clause)) {
         const Text each = naming_.singular(clause.subjects[1].noun);
         if (!each) return std::nullopt;
-        parts.back() += ", one for each " + *each + " there";
+        parts.back() = with_plain_number(parts.back()) + ", one for each " + *each + " there";
         continue;
       }
       const Text part = clauses_.command(clause);
@@ -105,6 +105,15 @@ class Realizer {
       if (&part != &parts[0] && (part.ends_with(" on it") || part.ends_with(" in it"))) return std::nullopt;
     for (const std::string& part : parts) sentences.push_back(*asked(part, is_first && sentences.empty()));
     return join(sentences, " ");
+  }
+
+  /// Three plates want three forks, which are not "a couple".
+  static std::string with_plain_number(std::string part) {
+    for (const auto& [vague, plain] : {std::pair<std::string_view, std::string_view>{" a couple of ", " at least two "},
+                                       {" a few ", " at least three "}}) {
+      if (const auto at = part.find(vague); at != std::string::npos) part.replace(at, vague.size(), plain);
+    }
+    return part;
   }
 
   /// "Put both forks on the table, one for each plate there.": as many there as plates.

@@ -57,9 +57,6 @@ Json counts_json(const ProofCounts& counts) {
           {"altered_plans", counts.altered_plans},
           {"constrained", counts.constrained},
           {"tempting", counts.tempting},
-          {"tempting_no_longer", counts.tempting_no_longer},
-          {"tempting_one_too_many", counts.tempting_one_too_many},
-          {"tempting_of_all", counts.tempting_of_all},
           {"texts", counts.texts},
           {"unchecked", counts.unchecked}};
 }
@@ -130,14 +127,9 @@ void print_text(const ValidationReport& report, const std::optional<AuditReport>
     }
     std::printf("%d of %zu cells of the audit are better than chance\n", audit->leaks(), audit->cells.size());
   }
-  if (const ProofCounts& counts = report.counts; counts.constrained > 0) {
+  if (const ProofCounts& counts = report.counts; counts.constrained > 0)
     std::printf("%d of %d goals with constraints have a plan that forgets one and does the rest\n", counts.tempting,
                 counts.constrained);
-    std::printf(
-        "%d of the plans stored for that are no longer than the demonstration; %d longer ones take one too many, %d "
-        "all instead of all but some\n",
-        counts.tempting_no_longer, counts.tempting_one_too_many, counts.tempting_of_all);
-  }
   std::printf("%d of %d proven", report.counts.proven, report.counts.tasks);
   if (report.counts.unchecked > 0)
     std::printf("; of %d the text failed the checks (person:unchecked), so that nothing proves its meaning",

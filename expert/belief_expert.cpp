@@ -8,6 +8,7 @@
 #include "expert/belief_planner.h"
 #include "expert/exploration.h"
 #include "expert/known_world.h"
+#include "expert/recognition.h"
 #include "expert/search_order.h"
 #include "expert/search_tools.h"
 #include "simulation/relations.h"
@@ -29,12 +30,12 @@ class BeliefExpert {
  public:
   BeliefExpert(const SearchProblem& problem, Window& window)
       : problem_(problem),
-        window_(window),
+        window_(window, problem.mode),
         needs_(search_needs(problem.goal)),
         profile_(profile_in(problem.mode, problem.profile)),
         belief_(window.known_scene(), needs_, categories_of_use(problem.goal, needs_, problem.knowledge, profile_)),
         order_(window.known_scene(), problem.knowledge, problem.usual, needs_.shut, profile_),
-        known_world_(problem.knowledge, problem.profile, window),
+        known_world_(problem.knowledge, problem.profile, window_),
         planner_(problem) {}
 
   std::optional<Trouble> run() {
@@ -81,6 +82,7 @@ class BeliefExpert {
     ++steps_;
     if (!points() || !acted_) known_world_.follow(action);
     if (acted_) foresee(action);
+    window_.look();
     see();
     return true;
   }
@@ -288,6 +290,7 @@ class BeliefExpert {
     (void)home->step(action);
     planner_.did(action, home->changes());
     belief_.foresee(home->changes());
+    window_.expect(home->changes());
   }
 
   /// Where it stands after a step.
@@ -299,12 +302,6 @@ class BeliefExpert {
     if (info(action.type).group == ActionClass::Movement && action.args.empty()) at_.clear();
   }
 
-  /// Where the last action should have led.
-  Vec2 led_to() {
-    const World* home = foreseen();
-    return home == nullptr ? window_.body().position : home->agent().position;
-  }
-
   bool act_as_planned(const Action& action) {
     const Outcome outcome = window_.act(action);
     if (!outcome.success) {
@@ -312,10 +309,12 @@ class BeliefExpert {
       return false;
     }
     ++steps_;
-    note_place(action);
     foresee(action);
+    window_.look();
+    note_place(action);
     const int before = belief_.news();
-    const Vec2 expected = led_to();
+    const World* home = foreseen();
+    const Vec2 expected = home == nullptr ? window_.body().position : home->agent().position;
     see();
     surprised_ = surprised_ || belief_.news() != before || in_the_way();
     strayed_ = (expected - window_.body().position).norm() > kStray_m;
@@ -450,7 +449,7 @@ class BeliefExpert {
   }
 
   const SearchProblem& problem_;
-  Window& window_;
+  Recognition window_;
   SearchNeeds needs_;
   Profile profile_;
   Belief belief_;

@@ -91,7 +91,7 @@ std::optional<std::vector<Action>> BeliefPlanner::another_plan(ExecutionTree& tr
                                                                const std::vector<Action>& done,
                                                                const std::vector<std::string>& opened) {
   const ExpertOptions options{.max_steps = rules.limits.steps, .mode = problem_.mode};
-  auto found = find_plan_from(tree, {done, avoided_, false}, options);
+  auto found = find_cheapest_plan_from(tree, {done, avoided_, false}, options);
   if (auto* why = std::get_if<Rejection>(&found)) {
     trouble_ = {std::string(name_of(why->reason)) + ": " + why->detail, why->failure};
     return std::nullopt;

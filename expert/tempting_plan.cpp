@@ -60,7 +60,7 @@ std::vector<Action> tempting_plan(const ExecutionTree& executions, const Demonst
   }
   for (const HastyReading& reading : readings) {
     if (reading.takes_more && reaches_reading(executions, reading, done)) continue;  // it does not do more
-    auto plan = plan_for(reading.goal, reading.goal, executions, reading.takes_more ? ExpertOptions{} : no_longer);
+    auto plan = plan_for(reading.goal, reading.goal, executions, no_longer);
     if (!plan.empty()) return plan;
   }
   return {};

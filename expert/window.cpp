@@ -1,15 +1,57 @@
 #include "expert/window.h"
 
-#include <string_view>
+#include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "akb/default_states.h"
-#include "scene/fresh_id.h"
 #include "simulation/view.h"
 
 namespace unietp {
+namespace {
 
-EpisodeWindow::EpisodeWindow(ExecutionTree& executions, Mode mode) : rollout_(executions, rules_of(mode)) {
+constexpr std::string_view kInHand = "in hand ";
+
+std::string name_of(const PixelBox& box) {
+  std::string name;
+  for (const int edge : box) name += (name.empty() ? "" : " ") + std::to_string(edge);
+  return name;
+}
+
+/// What can be pointed at, by its box.
+std::map<PixelBox, std::string> pictured(const World& world) {
+  std::map<PixelBox, std::string> shown;  // "": a box of several, which means none of them
+  for (const VisibleObject& object : world.pictured()) {
+    const auto [box, is_new] = shown.emplace(object.box, object.id);
+    if (!is_new) box->second = "";
+  }
+  std::erase_if(shown, [](const auto& one) { return one.second.empty() || !shows_clearly(one.first); });
+  return shown;
+}
+
+/// A thing as it looks, and not what only the simulation knows of it.
+Node as_seen(Node node, const Knowledge& knowledge) {
+  const Category* kind = knowledge.find(node.category);
+  if (kind != nullptr) node.mass = kind->mass * node.size.prod() / kind->size.prod();
+  node.asset.clear();
+  node.slice_of.clear();
+  return node;
+}
+
+bool comes_first(const Node& a, const Node& b) {
+  const auto by_look = [](const Node& node) {
+    const Vec3& at = node.pose.position;
+    return std::tuple(std::string_view(node.category), at.x(), at.y(), at.z());
+  };
+  return by_look(a) < by_look(b);
+}
+
+}  // namespace
+
+bool is_in_hand(std::string_view name) { return name.starts_with(kInHand); }
+
+EpisodeWindow::EpisodeWindow(ExecutionTree& executions, Mode mode)
+    : rollout_(executions, rules_of(mode)), knowledge_(executions.knowledge()) {
   const Scene& start = executions.start();
   known_scene_.id = start.id;
   known_scene_.simulator = start.simulator;
@@ -17,14 +59,13 @@ EpisodeWindow::EpisodeWindow(ExecutionTree& executions, Mode mode) : rollout_(ex
   known_scene_.openings = start.openings;
   known_scene_.wall_height = start.wall_height;
   known_scene_.wall_thickness = start.wall_thickness;
-  named_ = known_scene_;
   if (rollout_.episode().rules().furniture) {
     for (const Node& node : start.nodes) {
       if (node.movable) continue;
       Node& known = known_scene_.nodes.emplace_back(node);
       known.opening = 0;
       known.states = {};
-      set_default_states(known, executions.knowledge());
+      set_default_states(known, knowledge_);
     }
   }
   look();
@@ -35,84 +76,58 @@ Outcome EpisodeWindow::act(const Action& action) {
   Action meant = action;
   if (points()) {
     for (std::string& name : meant.args) {
-      if (const auto id = ids_.find(name); id != ids_.end()) {
+      if (const auto id = meant_.find(name); id != meant_.end()) {
         name = id->second;
       } else if (find_room(known_scene_, name) == nullptr) {
-        return {false, Failure::NotSeenYet, "nothing was called " + name};
+        return {false, Failure::NotSeenYet, "nothing is called " + name};
       }
     }
   }
   Outcome outcome = rollout_.go_on(meant);
-  if (!outcome.success || meant.type == ActionType::Stop) return outcome;
-  if (meant.type == ActionType::Slice) {  // who cuts a thing knows its slices
-    for (const Node& node : rollout_.episode().world().changes().nodes) {
-      if (!node.slice_of.empty()) give_name(node);
-    }
-  }
-  look();
+  if (outcome.success && meant.type != ActionType::Stop) look();
   return outcome;
 }
 
+/// What is held, then what lies on or in that, in an order that does not depend on ids.
 std::vector<std::string> EpisodeWindow::in_the_hand() const {
   const World& world = rollout_.episode().world();
   std::vector<std::string> in_hand = world.agent().held;
   for (std::size_t i = 0; i < in_hand.size(); ++i) {
-    for (std::string& rider : world.resting_at(in_hand[i])) in_hand.push_back(std::move(rider));
+    std::vector<std::string> riders = world.resting_at(in_hand[i]);
+    std::sort(riders.begin(), riders.end(),
+              [&](const std::string& a, const std::string& b) { return comes_first(*world.find(a), *world.find(b)); });
+    in_hand.insert(in_hand.end(), riders.begin(), riders.end());
   }
   return in_hand;
 }
 
-std::vector<std::string> EpisodeWindow::pictured() const {
-  std::map<PixelBox, std::string_view> shown;  // "": a box of several, which means none of them
-  for (const VisibleObject& object : rollout_.episode().world().pictured()) {
-    const auto [box, is_new] = shown.emplace(object.box, object.id);
-    if (!is_new) box->second = "";
+void EpisodeWindow::show(const std::string& id, std::string name) {
+  const Node& node = *rollout_.episode().world().find(id);
+  if (!points()) {
+    view_.push_back(node);
+    return;
   }
-  std::vector<std::string> ids;
-  for (const auto& [box, id] : shown) {
-    if (!id.empty() && shows_clearly(box)) ids.emplace_back(id);
-  }
-  return ids;
-}
-
-void EpisodeWindow::give_name(const Node& node) {
-  if (!points() || names_.contains(node.id)) return;
-  Node named;
-  named.id = fresh_id(named_, named_places_, node.category);
-  named.category = node.category;
-  names_[node.id] = named.id;
-  ids_[named.id] = node.id;
-  named_places_.add(named_.nodes.size(), named);
-  named_.nodes.push_back(std::move(named));
-}
-
-Node EpisodeWindow::renamed(Node node) const {
-  if (!points()) return node;
-  node.id = names_.find(node.id)->second;
-  const auto whole = names_.find(node.slice_of);
-  node.slice_of = whole == names_.end() ? "" : whole->second;
-  return node;
+  Node seen = as_seen(node, knowledge_);
+  seen.id = std::move(name);
+  meant_[seen.id] = id;
+  view_.push_back(std::move(seen));
 }
 
 void EpisodeWindow::look() {
   const World& world = rollout_.episode().world();
-  std::vector<std::string> ids;
-  if (points()) {
-    ids = pictured();
-  } else {
-    for (const VisibleObject& object : rollout_.episode().visible()) ids.push_back(object.id);
-  }
-  const auto in_hand = in_the_hand();
-  ids.insert(ids.end(), in_hand.begin(), in_hand.end());
   view_.clear();
-  for (const std::string& id : ids) {
-    const Node node = *world.find(id);
-    give_name(node);
-    view_.push_back(renamed(node));
+  meant_.clear();
+  if (points()) {
+    for (const auto& [box, id] : pictured(world)) show(id, name_of(box));
+  } else {
+    for (const VisibleObject& object : rollout_.episode().visible()) show(object.id, {});
   }
   body_ = world.agent();
-  if (points()) {
-    for (std::string& id : body_.held) id = names_.find(id)->second;
+  const auto in_hand = in_the_hand();
+  for (std::size_t i = 0; i < in_hand.size(); ++i) {
+    std::string name = std::string(kInHand) + std::to_string(i + 1);
+    if (points() && i < body_.held.size()) body_.held[i] = name;
+    show(in_hand[i], std::move(name));
   }
 }
 

@@ -2,10 +2,11 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "akb/knowledge.h"
 #include "expert/rollout.h"
-#include "scene/node_index.h"
 #include "scene/scene.h"
 #include "simulation/outcome.h"
 
@@ -29,9 +30,10 @@ class Window {
 };
 
 /// The window of an agent of M2 or M3 in an episode that begins at the start of an execution tree. In M3, where no
-/// object has an id, it keeps track of things as a person does who sees the same mug again: a thing is called by a name
-/// of its own from when it is first seen, "mug_2" for the second mug. Names are given in the order in which things come
-/// into the picture, those of one picture from left to right, and say no more than that.
+/// object has an id, each thing in view is called by its box in the picture ("12 40 80 99"), from left to right, and
+/// what is in the hand, which has none, "in hand 1" and so on. Such names hold for one view. Of a thing it shows what
+/// the picture does, its distance included: category, states, color, material, place and shape; what it weighs is
+/// guessed from that, and neither its model nor what it was cut from is told.
 class EpisodeWindow : public Window {
  public:
   /// The tree must outlive it.
@@ -45,25 +47,24 @@ class EpisodeWindow : public Window {
   /// plans.
   const std::vector<Action>& done() const { return rollout_.done(); }
   bool reaches_goal() const { return rollout_.reaches_goal(); }
+  /// M3: the ids of what the present names stand for; for who judges, too.
+  const std::map<std::string, std::string, std::less<>>& meant() const { return meant_; }
 
  private:
   bool points() const { return rollout_.episode().rules().atomic == Naming::Box; }
   void look();
   std::vector<std::string> in_the_hand() const;
-  /// The ids of what can be pointed at.
-  std::vector<std::string> pictured() const;
-  void give_name(const Node& node);
-  /// With what it refers to by the names that were given.
-  Node renamed(Node node) const;
+  void show(const std::string& id, std::string name);
 
   Rollout rollout_;
+  const Knowledge& knowledge_;
   Scene known_scene_;
   std::vector<Node> view_;
   Agent body_;
-  // M3: names by id and back, and what they were given to.
-  std::map<std::string, std::string, std::less<>> names_, ids_;
-  Scene named_;
-  NodeIndex named_places_;
+  std::map<std::string, std::string, std::less<>> meant_;
 };
+
+/// Whether a name of M3 is one of what is in the hand.
+bool is_in_hand(std::string_view name);
 
 }  // namespace unietp

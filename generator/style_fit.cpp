@@ -43,10 +43,13 @@ bool has_form_for(Style style, const Formula& goal, const Matter& matter) {
       // "Before you open the microwave, turn it off" does not ask to open it.
       return any_part(goal, [](const Formula& f) { return f.op == Op::Before; }) &&
              !any_part(goal, [](const Formula& f) { return f.op == Op::Atom && f.predicate == Predicate::PowerOff; });
-    case Style::VagueQuantity:
-      return any_part(goal, [](const Formula& f) {
-        return f.op == Op::Count && f.comparison == Comparison::AtLeast && (f.number == 2 || f.number == 3);
-      });
+    case Style::VagueQuantity:  // but not where others tell how many
+      return any_part(goal,
+                      [](const Formula& f) {
+                        return f.op == Op::Count && f.comparison == Comparison::AtLeast &&
+                               (f.number == 2 || f.number == 3);
+                      }) &&
+             !any_part(goal, [](const Formula& f) { return f.op == Op::CountCompare; });
     case Style::Function:
     case Style::Hypernym:
     case Style::Ellipsis:

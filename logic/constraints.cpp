@@ -29,15 +29,6 @@ Formula opposite(Formula formula) {
   return of_one(Op::Not, std::move(formula));
 }
 
-/// Whether an order only says how its second part is done: what a thing is filled with is poured from one that was
-/// filled with it before.
-bool is_pouring(const Formula& order) {
-  if (order.op != Op::Before) return false;
-  const Formula &first = order.children[0], &second = order.children[1];
-  return first.op == Op::Atom && second.op == Op::Atom && first.predicate == Predicate::Filled &&
-         second.predicate == Predicate::Filled && first.terms.back() == second.terms.back();
-}
-
 bool has_always(const Formula& formula) {
   return formula.op == Op::Always || std::any_of(formula.children.begin(), formula.children.end(), has_always);
 }
@@ -94,10 +85,45 @@ Formula reversed(const Formula& order, const Formula& goal) {
   return formula;
 }
 
+/// "All but the white ones": the part about all, and the one about those that it leaves out; nothing where it is no
+/// such pair.
+struct AllBut {
+  const Formula *all = nullptr, *left_out = nullptr;
+};
+std::optional<AllBut> all_but(const Formula& pair) {
+  if (pair.op != Op::And || pair.children.size() != 2) return std::nullopt;
+  const Formula &all = pair.children[0], &stays = pair.children[1];
+  if (all.op != Op::Forall || all.children[0].op != Op::AtEnd || all.domain.where.empty()) return std::nullopt;
+  if (stays.op != Op::Always || stays.children[0].op != Op::Forall) return std::nullopt;
+  const Formula& left_out = stays.children[0];
+  const Formula& others = all.domain.where[0];
+  const bool are_the_others = others.op == Op::Not && left_out.variable == all.variable &&
+                              left_out.domain.members == all.domain.members && !left_out.domain.where.empty() &&
+                              left_out.domain.where[0] == others.children[0];
+  if (!are_the_others) return std::nullopt;
+  return AllBut{&all, &left_out};
+}
+
+/// As many as are meant, with one among them that is to be left out.
+std::optional<Formula> with_another_left_out(const Formula& pair) {
+  const auto parts = all_but(pair);
+  if (!parts) return std::nullopt;
+  const auto [all, left_out] = *parts;
+  const Formula& wanted = all->children[0].children[0];
+  Formula done = *all, meant = *all, enough;
+  done.op = meant.op = Op::Number;
+  done.domain.where.clear();
+  done.children = {wanted};
+  meant.children = {conjunction({})};
+  enough.op = Op::CountCompare;
+  enough.comparison = Comparison::AtLeast;
+  enough.children = {std::move(done), std::move(meant)};
+  return conjunction({at_end(std::move(enough)), exists(all->variable, left_out->domain, at_end(wanted))});
+}
+
 /// The goal without its constraints, but with one of its parts changed: one formula for each part that changes.
 std::vector<Formula> with_one_changed(const Formula& part,
                                       const std::function<std::optional<Formula>(const Formula&)>& change) {
-  if (is_pouring(part)) return {};
   if (auto changed = change(part)) return {std::move(*changed)};
   if (part.op == Op::Before || part.op == Op::Until || part.op == Op::Always || part.op == Op::Not ||
       part.op == Op::Imply)
@@ -116,7 +142,6 @@ std::vector<Formula> with_one_changed(const Formula& part,
 }  // namespace
 
 Formula without_constraints(Formula goal) {
-  if (is_pouring(goal)) return goal;
   switch (goal.op) {
     case Op::Always:
       return conjunction({});
@@ -173,10 +198,11 @@ std::vector<Formula> with_one_too_many(const Formula& goal) {
 std::vector<HastyReading> hasty_readings(const Formula& goal) {
   const Formula asked = without_constraints(goal);
   if (asked == goal) return {};
-  std::vector<HastyReading> readings{{asked, false}};
+  std::vector<HastyReading> readings{{asked}};
   for (Formula& one : with_one_too_many(goal)) readings.push_back({std::move(one), true});
-  if (counts_some_of_a_kind(goal)) readings.push_back({without_references(asked), false, true});
-  if (has_always(goal)) readings.push_back({without_references(asked), true, true});
+  if (counts_some_of_a_kind(goal)) readings.push_back({without_references(asked)});
+  for (Formula& one : with_one_changed(goal, with_another_left_out)) readings.push_back({std::move(one)});
+  if (has_always(goal)) readings.push_back({without_references(asked)});
   return readings;
 }
 

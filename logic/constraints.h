@@ -8,8 +8,7 @@ namespace unietp {
 
 /// What a goal asks for without its constraints, which a hasty agent forgets: nothing has to stay as it is (`always`),
 /// nothing has to come first (`before`, `until`), of "exactly n" and "at most n" more would do, and of "as many as" any
-/// number. The goal itself where it has none. That what is poured out of a thing was filled in before says how it is
-/// done, and is no constraint: to pour from another thing, that one has to be filled too, which takes longer.
+/// number. The goal itself where it has none.
 Formula without_constraints(Formula goal);
 
 /// The goal with objects named by category alone: no domain has a `:where`.
@@ -28,12 +27,12 @@ std::vector<Formula> with_one_too_many(const Formula& goal);
 /// What somebody takes a goal for who forgets a constraint.
 struct HastyReading {
   Formula goal;
-  bool takes_more = false;  // a plan for it may be longer than one for the goal: it does too much
-  bool of_all = false;      // without referring phrases: all instead of all but some, any two instead of two red ones
+  bool takes_more = false;  // it asks for one too many
 };
-/// The goal without its constraints, then with one too many; last, where something has to stay as it is or so many of
-/// what a phrase tells from others are counted, without its constraints and referring phrases (all instead of all but
-/// some, any two instead of two red ones). None where the goal has no constraint.
+/// The goal without its constraints, then with one too many; then, where something has to stay as it is or so many of
+/// what a phrase tells from others are counted, forgetting which is meant: where the goal says all but some, for as
+/// many with one of those among them, and without constraints and referring phrases (any two instead of two red ones).
+/// None where the goal has no constraint.
 std::vector<HastyReading> hasty_readings(const Formula& goal);
 
 }  // namespace unietp

@@ -8,10 +8,7 @@ struct ProofCounts {
   int demonstrations = 0, steps = 0;  // replayed
   int altered_plans = 0;              // changed plans that must fail
   int constrained = 0, tempting = 0;  // tasks whose goal has a constraint; those of them of which such a plan breaks it
-  // Tasks by the tempting plan that is stored: no longer than the demonstration; longer, with one too many of "exactly
-  // n" or "at most n" or more of one kind than of the other; longer, with all instead of all but some.
-  int tempting_no_longer = 0, tempting_one_too_many = 0, tempting_of_all = 0;
-  int texts = 0;      // instructions that were parsed
+  int texts = 0;                      // instructions that were parsed
   int unchecked = 0;  // tasks with a person's text that failed the checks: their goal may be proven, their text is not
 };
 

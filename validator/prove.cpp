@@ -243,7 +243,7 @@ class TaskProver {
     const StepMarks marks = marks_of(*goal_, world, mode, traces, done.plan);
     found(check_marks(demonstration, marks, where_shown(mode)));
     found(check_shortest(*goal_, world, traces, task_, mode, demonstration, where_shown(mode)));
-    found(count(check_tempting(*goal_, world, traces, mode, demonstration, trace, where_shown(mode))));
+    found(check_tempting(*goal_, world, traces, mode, demonstration, trace, where_shown(mode)));
     auto altered = must_fail(*goal_, world, mode, traces, done.plan, marks, where_shown(mode));
     proof_.counts.altered_plans += static_cast<int>(altered.plans.size());
     found(std::move(altered.problems));
@@ -254,17 +254,6 @@ class TaskProver {
     }
     if (!tools_.options.take_plan) return;
     for (AlteredPlan& plan : altered.plans) proof_.plans.push_back({mode, std::move(plan)});
-  }
-
-  std::vector<Problem> count(TemptingCheck tempting) {
-    ProofCounts& counts = proof_.counts;
-    if (tempting.sort) {
-      int& of_sort = *tempting.sort == Temptation::NoLonger     ? counts.tempting_no_longer
-                     : *tempting.sort == Temptation::OneTooMany ? counts.tempting_one_too_many
-                                                                : counts.tempting_of_all;
-      ++of_sort;
-    }
-    return std::move(tempting.problems);
   }
 
   /// The plan that forgets a constraint, as an altered plan of the modes that tell of what is there by ids.

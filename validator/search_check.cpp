@@ -162,27 +162,28 @@ std::vector<Problem> check_shortest(const Formula& goal, const World& start, con
   return {};
 }
 
-TemptingCheck check_tempting(const Formula& goal, const World& start, const TraceMaker& traces, Mode mode,
-                             const DemonstrationRecord& demonstration, const Trace& shown, const std::string& where) {
+std::vector<Problem> check_tempting(const Formula& goal, const World& start, const TraceMaker& traces, Mode mode,
+                                    const DemonstrationRecord& demonstration, const Trace& shown,
+                                    const std::string& where) {
   const auto found = [&where](std::string message) {
-    return TemptingCheck{{problem_in(ProblemKind::TemptingPlan, where, "its tempting plan " + std::move(message))}};
+    return std::vector{problem_in(ProblemKind::TemptingPlan, where, "its tempting plan " + std::move(message))};
   };
   const std::vector<Command>& plan = demonstration.tempting;
   const auto readings = mode == Mode::M1 ? hasty_readings(goal) : std::vector<HastyReading>();
-  if (plan.empty()) return readings.empty() ? TemptingCheck() : found("is missing");
+  if (plan.empty()) return readings.empty() ? std::vector<Problem>() : found("is missing");
   if (readings.empty()) return found("is beside a goal that has no constraint, or not in M1");
-  const bool longer = static_cast<int>(plan.size()) > steps_for_the_goal(demonstration);
-  std::string fault = "is longer than the demonstration";
+  if (static_cast<int>(plan.size()) > steps_for_the_goal(demonstration))
+    return found("is longer than the demonstration");
+  std::string fault = "takes the goal for nothing that anybody would";
   for (const HastyReading& reading : readings) {
-    if (longer && (!reading.takes_more || holds(reading.goal, shown))) continue;
+    if (reading.takes_more && holds(reading.goal, shown)) continue;
     InformedEpisode here{ModeEpisode(start, Mode::M1), {}};
     const auto wrong = fault_of(reading.goal, here, traces, mode, plan);
     if (wrong || plan.size() == 1) {
       fault = wrong ? *wrong : "does nothing";
       continue;
     }
-    if (holds(goal, traces.of(here.changes))) return found("breaks no constraint");
-    return {{}, !longer ? Temptation::NoLonger : reading.of_all ? Temptation::OfAll : Temptation::OneTooMany};
+    return holds(goal, traces.of(here.changes)) ? found("breaks no constraint") : std::vector<Problem>();
   }
   return found(fault);
 }

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,19 +45,12 @@ std::vector<Problem> check_shortest(const Formula& goal, const World& start, con
                                     const TaskRecord& task, Mode mode, const DemonstrationRecord& demonstration,
                                     const std::string& where);
 
-/// How a tempting plan (logic/constraints.h) breaks a constraint: in no more steps than the demonstration needs for the
-/// goal; or in more, with one too many of so many, or with all instead of all but some.
-enum class Temptation : std::uint8_t { NoLonger, OneTooMany, OfAll };
-struct TemptingCheck {
-  std::vector<Problem> problems;
-  std::optional<Temptation> sort = std::nullopt;  // of a plan without a problem
-};
-
 /// The tempting plan beside a demonstration in M1: it is there if the goal has constraints (logic/constraints.h) and
-/// only then, has no more steps than the demonstration without those that only tidy up, or does too much; each step
-/// succeeds and is needed, and it reaches one of the hasty readings of the goal, but not the goal. `shown`: the trace
-/// of the demonstration.
-TemptingCheck check_tempting(const Formula& goal, const World& start, const TraceMaker& traces, Mode mode,
-                             const DemonstrationRecord& demonstration, const Trace& shown, const std::string& where);
+/// only then, and has no more steps than the demonstration without those that only tidy up; each step succeeds and is
+/// needed, and it reaches one of the hasty readings of the goal, but not the goal. `shown`: the trace of the
+/// demonstration.
+std::vector<Problem> check_tempting(const Formula& goal, const World& start, const TraceMaker& traces, Mode mode,
+                                    const DemonstrationRecord& demonstration, const Trace& shown,
+                                    const std::string& where);
 
 }  // namespace unietp

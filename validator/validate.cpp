@@ -239,9 +239,6 @@ void add(ProofCounts& to, const ProofCounts& other) {
   to.altered_plans += other.altered_plans;
   to.constrained += other.constrained;
   to.tempting += other.tempting;
-  to.tempting_no_longer += other.tempting_no_longer;
-  to.tempting_one_too_many += other.tempting_one_too_many;
-  to.tempting_of_all += other.tempting_of_all;
   to.texts += other.texts;
   to.unchecked += other.unchecked;
 }

@@ -21,8 +21,8 @@ class Known {
     for (const Room& room : told.rooms) add(room.id, room.type);
     for (const Node& node : told.nodes) add(node.id, node.category);
   }
-  void see(const Witnessed::Moment& moment) {
-    for (const Node& node : moment.view) {
+  void see(const std::vector<Node>& view) {
+    for (const Node& node : view) {
       add(node.id, node.category);
       seen_.insert(node.id);
     }
@@ -85,24 +85,25 @@ bool speaks_of_every(const Formula& goal) {
   return std::any_of(needs.needs.begin(), needs.needs.end(), [](const SearchNeed& need) { return need.every; });
 }
 
-JudgedSearch judged_search(const EnvironmentTask& task, Mode mode, const Witnessed& seen,
-                           const std::vector<Action>& done, const std::vector<bool>& search) {
+JudgedSearch judged_search(const EnvironmentTask& task, Mode mode, const Scene& told,
+                           const std::vector<std::vector<Node>>& views, const std::vector<Action>& done,
+                           const std::vector<bool>& search) {
   const SearchNeeds needs = search_needs(task.goal);
   const Profile profile = profile_in(mode, *task.data.profile);
-  Known known(seen.known_scene);
+  Known known(told);
   const auto knows_what_is_acted_on = [&](std::size_t from) {
     for (std::size_t i = from; i < done.size(); ++i) {
       for (std::size_t k = 0; !search[i] && k < done[i].args.size(); ++k) {
         const bool was_there = find_node(task.start, done[i].args[k]) != nullptr;  // no slice, which is made by a step
-        const std::string& name = seen.actions[i].args[k];
+        const std::string& name = done[i].args[k];
         if (was_there && !(only_leads_there(done[i].type) ? known.has(name) : known.has_seen(name))) return false;
       }
     }
     return true;
   };
   JudgedSearch judged;
-  for (judged.enough = 0; judged.enough < seen.actions.size(); ++judged.enough) {
-    known.see(seen.moments[judged.enough]);
+  for (judged.enough = 0; judged.enough < done.size(); ++judged.enough) {
+    known.see(views[judged.enough]);
     if (has_what_the_goal_asks_for(known, needs, *task.data.knowledge, profile) &&
         knows_what_is_acted_on(judged.enough))
       break;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "environment/task.h"
-#include "expert/witness.h"
+#include "scene/scene.h"
 #include "simulation/mode_rules.h"
 
 namespace unietp {
@@ -20,10 +20,11 @@ struct JudgedSearch {
   std::vector<std::size_t> needless;  // those of them without which the rest reaches the goal by the rules of the mode
 };
 
-/// `seen`: what the expert was shown and did. `done`: the same actions on the ids of the home. `search`: which of them
-/// are marked so.
-JudgedSearch judged_search(const EnvironmentTask& task, Mode mode, const Witnessed& seen,
-                           const std::vector<Action>& done, const std::vector<bool>& search);
+/// `told`: what the expert knew at the start. `views`: what it was shown before each action, and `done`: what it did,
+/// on the ids of the home. `search`: which of these actions are marked so.
+JudgedSearch judged_search(const EnvironmentTask& task, Mode mode, const Scene& told,
+                           const std::vector<std::vector<Node>>& views, const std::vector<Action>& done,
+                           const std::vector<bool>& search);
 
 /// Whether the goal speaks of all things of a kind, so that it never is certain that none was overlooked.
 bool speaks_of_every(const Formula& goal);

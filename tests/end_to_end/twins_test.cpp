@@ -30,19 +30,42 @@ SearchProblem problem_of(const EnvironmentTask& task, Mode mode) {
   return {task.goal, *task.data.knowledge, *task.data.profile, &household(*task.data.knowledge), mode};
 }
 
+/// A window that notes what the names of each view stand for.
+class NotedWindow : public EpisodeWindow {
+ public:
+  NotedWindow(ExecutionTree& executions, Mode mode) : EpisodeWindow(executions, mode), views{identified()} {}
+  Outcome act(const Action& action) override {
+    Outcome outcome = EpisodeWindow::act(action);
+    views.push_back(identified());
+    return outcome;
+  }
+  /// Before each action and after the last, on the ids of the home.
+  std::vector<std::vector<Node>> views;
+
+ private:
+  std::vector<Node> identified() const {
+    std::vector<Node> nodes = view();
+    for (Node& node : nodes) {
+      if (const auto id = meant().find(node.id); id != meant().end()) node.id = id->second;
+    }
+    return nodes;
+  }
+};
+
 struct Played {
   Witnessed seen;
   std::vector<Action> done;  // on the ids of the home
+  std::vector<std::vector<Node>> views;
 };
 
 /// What the expert of a mode is shown and does in a start.
 Played played(const EnvironmentTask& task, Mode mode, const Scene& start) {
   auto executions = ExecutionTree::of(task.goal, start, *task.data.knowledge, *task.data.profile);
   EXPECT_TRUE(executions) << format(executions.error());
-  EpisodeWindow window(*executions, mode);
+  NotedWindow window(*executions, mode);
   WitnessWindow witness(window);
   (void)reach_by_belief(problem_of(task, mode), witness);
-  return {witness.seen(), window.done()};
+  return {witness.seen(), window.done(), window.views};
 }
 
 /// The object whose box it is.
@@ -84,10 +107,13 @@ void follow_from_what_was_told_and_shown(Mode mode) {
     const auto task = tasks.task(i);
     ASSERT_TRUE(task) << format(task.error());
     const Demonstration demonstration = demonstration_of(tasks, i, mode);
-    const auto [seen, done] = played(**task, mode, (*task)->start);
+    const auto [seen, done, views] = played(**task, mode, (*task)->start);
     std::vector<Action> actions;
     for (const DemonstrationStep& step : demonstration.steps) actions.push_back(step.action);
-    ASSERT_EQ(done, actions);
+    if (done != actions) {
+      ADD_FAILURE() << "the expert does something else";
+      continue;
+    }
     ASSERT_EQ(seen.actions.size(), actions.size());
     RecordedWindow record(seen);
     EXPECT_FALSE(reach_by_belief(problem_of(**task, mode), record));
@@ -105,6 +131,60 @@ void follow_from_what_was_told_and_shown(Mode mode) {
   EXPECT_EQ(distinguishable, twins) << "a twin lacks something that is used";
 }
 
+/// Ids of a start, each with another one of its kind: in the reverse order.
+std::map<std::string, std::string, std::less<>> other_ids_in(const Scene& start) {
+  std::map<std::string, std::vector<std::string>> of_kind;
+  for (const Node& node : start.nodes) of_kind[node.category].push_back(node.id);
+  std::map<std::string, std::string, std::less<>> other;
+  for (const auto& [kind, ids] : of_kind) {
+    for (std::size_t i = 0; i < ids.size(); ++i) other[ids[i]] = ids[ids.size() - 1 - i];
+  }
+  return other;
+}
+
+/// The same start with those ids given to other things.
+Scene with_ids(const std::map<std::string, std::string, std::less<>>& other, const Scene& start) {
+  const auto renamed = [&other](const std::string& id) {
+    const auto found = other.find(id);
+    return found == other.end() ? id : found->second;
+  };
+  Scene scene = start;
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    Node& node = scene.nodes.edit(i);
+    node.id = renamed(node.id);
+    node.slice_of = renamed(node.slice_of);
+  }
+  for (std::string& id : scene.agent.held) id = renamed(id);
+  EdgeSet edges;
+  for (const Edge& edge : start.edges) edges.insert({edge.relation, renamed(edge.from), renamed(edge.to)});
+  scene.edges = std::move(edges);
+  return scene;
+}
+
+/// Of two things that touch the same pixel the one with the lesser id shows, so with other ids some views differ in a
+/// box; until they do, the same is done.
+TEST(DemonstrationsOfM3, DoNotDependOnIds) {
+  const TaskSource tasks = source();
+  std::size_t same = 0;
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    SCOPED_TRACE(tasks.listing()[i].id);
+    const auto task = tasks.task(i);
+    ASSERT_TRUE(task) << format(task.error());
+    const auto ids = other_ids_in((*task)->start);
+    const Played one = played(**task, Mode::M3, (*task)->start);
+    Played other = played(**task, Mode::M3, with_ids(ids, (*task)->start));
+    EXPECT_TRUE(acted_alike(one.seen, other.seen));
+    for (Action& action : other.done) {
+      for (std::string& id : action.args) {
+        if (const auto own = ids.find(id); own != ids.end()) id = own->second;
+      }
+    }
+    same += one.done == other.done ? 1 : 0;
+  }
+  std::printf("%zu demonstrations of %zu are the same with other ids\n", same, tasks.size());
+  EXPECT_GE(4 * same, 3 * tasks.size());
+}
+
 /// Whether search was needless is judged from what was known at that moment: once all that the goal needs was seen,
 /// nothing is looked for any more, but for what cannot be named otherwise. At most this share of the search is needless
 /// in large data sets: most of it are ways in a plan that was made in what was believed, which works without them.
@@ -120,10 +200,10 @@ void search_no_longer_than_needed(Mode mode) {
     const auto task = tasks.task(i);
     ASSERT_TRUE(task) << format(task.error());
     if (speaks_of_every((*task)->goal)) continue;
-    const auto [seen, done] = played(**task, mode, (*task)->start);
+    const auto [seen, done, views] = played(**task, mode, (*task)->start);
     const auto search = search_marks(tasks, i, mode);
     ASSERT_EQ(search.size(), done.size());
-    const JudgedSearch verdict = judged_search(**task, mode, seen, done, search);
+    const JudgedSearch verdict = judged_search(**task, mode, seen.known_scene, views, done, search);
     for (const std::size_t step : verdict.needless)
       needless += "\n" + tasks.listing()[i].id + " step " + std::to_string(step + 1) + " " + to_text(done[step]) +
                   ", all was seen after " + std::to_string(verdict.enough);
@@ -155,19 +235,18 @@ TEST(DemonstrationsOfM2AndM3, ANeedlessLookIsFound) {
     const Witnessed shown = played(**task, mode, (*task)->start).seen;
     auto executions =
         *ExecutionTree::of((*task)->goal, (*task)->start, *(*task)->data.knowledge, *(*task)->data.profile);
-    EpisodeWindow window(executions, mode);
-    WitnessWindow witness(window);
+    NotedWindow window(executions, mode);
     std::vector<bool> search = search_marks(tasks, 0, mode);
     const std::size_t planted = search.size() - 1;
     search.insert(search.begin() + static_cast<std::ptrdiff_t>(planted), true);
     for (const Action& action : shown.actions) {
       if (action.type == ActionType::Stop) {
-        EXPECT_TRUE(witness.act({ActionType::TurnLeft, {}}).success);
+        EXPECT_TRUE(window.act({ActionType::TurnLeft, {}}).success);
       }
-      EXPECT_TRUE(witness.act(action).success);
+      EXPECT_TRUE(window.act(action).success);
     }
     ASSERT_TRUE(window.reaches_goal());
-    const auto verdict = judged_search(**task, mode, witness.seen(), window.done(), search);
+    const auto verdict = judged_search(**task, mode, window.known_scene(), window.views, window.done(), search);
     EXPECT_EQ(verdict.needless, std::vector{planted});
   }
 }

@@ -39,16 +39,11 @@ struct Tally {
 };
 
 /// Mistakes that nobody can make: a dry cloth takes no dirt off, so what is soaked too late was not what cleaned, and
-/// another one that was soaked in time is as good. What cannot be carried to a tap cannot be watered before any vessel
-/// is filled. Who opens nothing has left the wrong machine shut and the right one too.
-bool cannot_be_made(const Specification& made, const Knowledge& knowledge, Mistake mistake) {
-  if (mistake == Mistake::Decoy) return made.template_name == "place-never-open";
-  if (mistake != Mistake::WrongOrder) return false;
-  const auto stays = [&](const auto& bound) {
-    return bound.first == "B" && !knowledge.has(bound.second, "pickupable");
-  };
-  return made.template_name == "soak-then-clean" ||
-         (made.template_name == "fill-then-pour" && std::any_of(made.binding.begin(), made.binding.end(), stays));
+/// another one that was soaked in time is as good. Who opens nothing has left the wrong machine shut and the right one
+/// too.
+bool cannot_be_made(const Specification& made, Mistake mistake) {
+  return (mistake == Mistake::Decoy && made.template_name == "place-never-open") ||
+         (mistake == Mistake::WrongOrder && made.template_name == "soak-then-clean");
 }
 
 /// Everything that is asked of one template on one simulator.
@@ -149,7 +144,7 @@ class Trial {
       }
       plan = find_witness(conjunction({mutation.goal, negation(made.goal)}), scene.setting, scene.start);
       ++(plan ? tally_.by_the_way : tally_.none)[kind];
-      if (!plan && !cannot_be_made(made, knowledge_, mutation.mistake))
+      if (!plan && !cannot_be_made(made, mutation.mistake))
         return fail(made, scene, std::string(name_of(mutation.mistake)) + " cannot be told from the goal");
       if (!plan) return;
       if (holds(made.goal, trace_of_plan(scene, *plan)))

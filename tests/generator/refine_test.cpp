@@ -426,7 +426,7 @@ TEST(StyleFit, AFewIsSaidOfTwoOrThreeAtLeast) {
     }
     return nullptr;
   };
-  Template source = library_template("place-exactly-two-on");
+  Template source = library_template("two-slices-on");
   Formula* count = count_of(count_of, source.goal);
   ASSERT_NE(count, nullptr);
   for (const auto& [comparison, number, fits] :
