@@ -95,13 +95,14 @@ std::vector<FunctionRow> read_functions(const fs::path& file,
                                         std::vector<Tables>& all, std::vector<Error>& errors) {
   const auto text = text_of(file, errors);
   if (!text) return {};
-  RowReader row(file.string(), *text, {"function", "phrases", "kinds", "also", "except"}, errors);
+  RowReader row(file.string(), *text, {"function", "phrases", "kinds", "also", "except", "source"}, errors);
   std::vector<FunctionRow> functions;
   std::set<std::string> seen;
   for (const auto& cells : row.rows()) {
     row.at(cells);
     FunctionRow function{row.required("function"), row.list("phrases"), row.list("kinds"), row.list("also"),
                          row.list("except")};
+    (void)row.required("source");
     if (function.phrases.empty()) row.fail("phrases", "expected at least one phrase, such as 'something to read'");
     for (const auto& phrase : function.phrases) {
       if (!seen.insert(phrase).second) row.fail("phrases", "'" + phrase + "' stands twice");

@@ -13,7 +13,7 @@ namespace {
 
 struct SenseMeasureOptions {
   std::filesystem::path metadata, activities;
-  bool items = false;
+  bool items = false, unjudged = false;
 };
 
 void print_counts(const char* what, const GradeCounts& counts) {
@@ -49,7 +49,8 @@ Exit measure(const SenseMeasureOptions& options, const CommandLine& program) {
   if (!synsets) return refuse(synsets.error());
   const auto items = read_items(sources, {kinds, words, *net, std::move(*synsets)});
   if (!items) return refuse(items.error());
-  for (const auto& figures : measure_held_out(*items, kinds, categories, judgments, rules, knowledge.front())) {
+  const auto judged = options.unjudged ? without_held_out(judgments, *items) : judgments;
+  for (const auto& figures : measure_held_out(*items, kinds, categories, judged, rules, knowledge.front())) {
     if (options.items) {
       print_items("held out", figures.items);
       print_items("swapped", figures.swapped);
@@ -84,6 +85,7 @@ void add_sense_measure_command(CommandParser& knowledge, CommandLine& program) {
       ->required()
       ->folder();
   command->add_flag("--items", options->items, "Print each item with its grade, fields separated by tabs");
+  command->add_flag("--unjudged", options->unjudged, "Leave out the rows of judged.csv that speak of a held-out item");
   command->callback([options, &program] { program.exit = measure(*options, program); });
 }
 

@@ -58,23 +58,43 @@ std::map<std::pair<std::string, std::string>, std::set<std::string>> kinds_of_ac
   return activities;
 }
 
-Companions count_companions(std::span<const Item> items, const Kinds& kinds) {
-  std::map<Companions::Pair, int> pairs;
-  const auto activities = kinds_of_activities(items, kinds);
-  for (const auto& [activity, all] : activities) {
+std::map<std::string, Companions> count_companions(std::span<const Item> items, const Kinds& kinds) {
+  struct Counted {
+    std::map<Companions::Pair, int> pairs;
+    int activities = 0;
+  };
+  std::map<std::string, Counted> counted;
+  for (const auto& [activity, all] : kinds_of_activities(items, kinds)) {
+    Counted& of_source = counted[activity.first];
+    ++of_source.activities;
     for (auto a = all.begin(); a != all.end(); ++a) {
-      for (auto b = a; b != all.end(); ++b) ++pairs[{*a, *b}];
+      for (auto b = a; b != all.end(); ++b) ++of_source.pairs[{*a, *b}];
     }
   }
-  return {std::move(pairs), static_cast<int>(activities.size())};
+  std::map<std::string, Companions> by_source;
+  for (auto& [source, of_source] : counted)
+    by_source.emplace(source, Companions(std::move(of_source.pairs), of_source.activities));
+  return by_source;
 }
 
-std::string csv_of(const Companions& companions, const Kinds& kinds) {
-  std::string text = csv_line({"thing", "other", "activities"});
+Companions add_up(const std::map<std::string, Companions>& by_source) {
+  std::map<Companions::Pair, int> pairs;
+  int all = 0;
+  for (const auto& [source, companions] : by_source) {
+    for (const auto& [pair, count] : companions.activities()) pairs[pair] += count;
+    all += companions.all();
+  }
+  return {std::move(pairs), all};
+}
+
+std::string csv_of(const std::map<std::string, Companions>& by_source, const Kinds& kinds) {
+  std::string text = csv_line({"thing", "other", "activities", "source"});
   const auto& root = kinds.all().front().name;
-  text += csv_line({root, root, std::to_string(companions.all())});
-  for (const auto& [pair, count] : companions.activities())
-    text += csv_line({pair.first, pair.second, std::to_string(count)});
+  for (const auto& [source, companions] : by_source) {
+    text += csv_line({root, root, std::to_string(companions.all()), source});
+    for (const auto& [pair, count] : companions.activities())
+      text += csv_line({pair.first, pair.second, std::to_string(count), source});
+  }
   return text;
 }
 
@@ -84,24 +104,26 @@ Companions read_companions(const std::filesystem::path& path, const Kinds& kinds
     errors.push_back(text.error());
     return {};
   }
-  RowReader row(path.string(), *text, {"thing", "other", "activities"}, errors);
+  RowReader row(path.string(), *text, {"thing", "other", "activities", "source"}, errors);
   std::map<Companions::Pair, int> pairs;
+  std::set<std::pair<std::string, Companions::Pair>> seen;
   int all = 0;
   for (const auto& cells : row.rows()) {
     row.at(cells);
-    const auto thing = row.required("thing"), other = row.required("other");
+    const auto thing = row.required("thing"), other = row.required("other"), source = row.required("source");
     const int count = static_cast<int>(row.number("activities", 0, 1e6, false));
     for (const auto* column : {"thing", "other"}) {
       if (kinds.find(row.text(column)) == nullptr)
         row.fail(column, "'" + row.text(column) + "' is not a kind of kinds.csv");
     }
     if (other < thing) row.fail("other", "expected the two kinds in order");
-    const auto* kind = kinds.find(thing);
-    if (kind != nullptr && kind->parent.empty() && thing == other) {
-      all = count;
-    } else if (!pairs.emplace(Companions::Pair(thing, other), count).second) {
+    if (!seen.insert({source, {thing, other}}).second) {
       row.fail("other", "'" + thing + "' and '" + other + "' stand twice");
+      continue;
     }
+    const auto* kind = kinds.find(thing);
+    const bool root = kind != nullptr && kind->parent.empty() && thing == other;
+    (root ? all : pairs[{thing, other}]) += count;
   }
   return {std::move(pairs), all};
 }

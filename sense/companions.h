@@ -53,13 +53,16 @@ std::set<std::string> kinds_of(const Evidence& item, const Kinds& kinds);
 std::map<std::pair<std::string, std::string>, std::set<std::string>> kinds_of_activities(std::span<const Item> items,
                                                                                          const Kinds& kinds);
 
-/// Counts how often kinds occur together.
-Companions count_companions(std::span<const Item> items, const Kinds& kinds);
+/// Counts how often kinds occur together, in the activities of each source.
+std::map<std::string, Companions> count_companions(std::span<const Item> items, const Kinds& kinds);
+/// Those of all sources in one.
+Companions add_up(const std::map<std::string, Companions>& by_source);
 
-/// companions.csv (thing,other,activities): a row for each pair that occurs, for each kind with itself, and one of the
-/// root with itself for all activities.
-std::string csv_of(const Companions& companions, const Kinds& kinds);
-/// Errors are appended: Io, Parse; Schema for an unknown kind, a pair that stands twice or the wrong way around.
+/// companions.csv (thing,other,activities,source): for each source a row for each pair that occurs, for each kind with
+/// itself, and one of the root with itself for all activities.
+std::string csv_of(const std::map<std::string, Companions>& by_source, const Kinds& kinds);
+/// All sources in one. Errors are appended: Io, Parse; Schema for an unknown kind, and for a pair of a source that
+/// stands twice or the wrong way around.
 Companions read_companions(const std::filesystem::path& path, const Kinds& kinds, std::vector<Error>& errors);
 
 }  // namespace unietp

@@ -70,10 +70,11 @@ Judgments read_judgments(const std::filesystem::path& path, const Kinds& kinds, 
 std::vector<SenseRule> read_sense_rules(const std::filesystem::path& path, const Kinds& kinds,
                                         std::vector<Error>& errors) {
   std::vector<SenseRule> all;
-  each_row(path, {"name", "form", "thing", "except", "other", "reason"}, errors, [&](RowReader& row) {
+  each_row(path, {"name", "form", "thing", "except", "other", "reason", "source"}, errors, [&](RowReader& row) {
     SenseRule rule{row.required("name"),  row.one_of("form", {"role", "together"}, "form") == "together",
                    row.required("thing"), row.list("except"),
                    row.required("other"), row.required("reason")};
+    (void)row.required("source");
     if (rule.thing.starts_with(kWords)) {
       for (const auto& word : split(rule.thing.substr(kWords.size()), '|')) {
         if (word != normal_word(word)) row.fail("thing", "'" + word + "' is no name; expected one such as 'paper_bag'");

@@ -62,7 +62,7 @@ struct SenseRule {
   std::string reason;
   std::set<std::string, std::less<>> words = {};  // of `words:`
 };
-/// Reads rules.csv (name,form,thing,except,other,reason). Errors are appended.
+/// Reads rules.csv (name,form,thing,except,other,reason,source). Errors are appended.
 std::vector<SenseRule> read_sense_rules(const std::filesystem::path& path, const Kinds& kinds,
                                         std::vector<Error>& errors);
 

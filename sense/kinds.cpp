@@ -81,16 +81,22 @@ Kinds read_kinds(const std::filesystem::path& path, std::vector<Error>& errors) 
     errors.push_back(text.error());
     return {};
   }
-  RowReader row(path.string(), *text,
-                {"name", "singular", "plural", "parent", "purpose", "relation", "piece", "personal"}, errors);
+  RowReader row(
+      path.string(), *text,
+      {"name", "singular", "plural", "parent", "purpose", "relation", "piece", "personal", "several", "source"},
+      errors);
   std::vector<Kind> kinds;
   std::vector<std::string> names;
   bool tree = true;
   for (const auto& cells : row.rows()) {
     row.at(cells);
-    Kind kind{row.required("name"),    row.required("singular"), row.required("plural"), row.text("parent"),
-              row.required("purpose"), row.text("relation"),     row.text("piece"),      row.text("personal") == "yes"};
-    if (!kind.personal && !row.text("personal").empty()) row.fail("personal", "expected nothing or yes");
+    Kind kind{row.required("name"), row.required("singular"),      row.required("plural"),
+              row.text("parent"),   row.required("purpose"),       row.text("relation"),
+              row.text("piece"),    row.text("personal") == "yes", row.text("several") == "yes"};
+    (void)row.required("source");
+    for (const auto* column : {"personal", "several"}) {
+      if (!row.text(column).empty() && row.text(column) != "yes") row.fail(column, "expected nothing or yes");
+    }
     const bool twice = std::find(names.begin(), names.end(), kind.name) != names.end();
     if (twice) row.fail("name", "'" + kind.name + "' stands twice");
     tree = tree && !twice && !kind.name.empty();

@@ -20,6 +20,7 @@ struct Kind {
   std::string relation;
   std::string piece;      // the kind of its slices; "" when they are of the same kind
   bool personal = false;  // each belongs to somebody: nobody asks for just any of several
+  bool several = false;   // homes have several alike: spoons, apples, books
 };
 
 /// The taxonomy: a tree of kinds. Read only.

@@ -32,7 +32,7 @@ class CompanionGrader {
  public:
   CompanionGrader(const CommonSense& sense, std::span<const Item> fitted, std::span<const Item> held)
       : kinds_(sense.kinds()),
-        companions_(count_companions(fitted, kinds_)),
+        companions_(add_up(count_companions(fitted, kinds_))),
         activities_(kinds_of_activities(held, kinds_)) {}
 
   bool knows(const Item& real) const { return activities_.contains({real.evidence.source, real.group}); }
@@ -64,6 +64,13 @@ bool is_held_out(const Item& item) {
   const bool programs = item.evidence.source == "metadata:activity_programs.jsonl.gz";
   const bool placements = item.evidence.source == "metadata:procthor_receptacles.json";
   return !placements && hash_of("held out:" + item.evidence.source + ":" + item.group) % (programs ? 3 : 4) == 0;
+}
+
+Judgments without_held_out(Judgments judgments, std::span<const Item> items) {
+  for (const auto& item : items) {
+    if (is_held_out(item)) judgments.erase({item.evidence.thing, item.evidence.role});
+  }
+  return judgments;
 }
 
 std::vector<HeldOutFigures> measure_held_out(std::span<const Item> items, const Kinds& kinds,

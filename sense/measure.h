@@ -35,6 +35,10 @@ struct HeldOutFigures {
 /// the hash of source and group, so that nothing of an activity is on both sides.
 bool is_held_out(const Item& item);
 
+/// The judgments but those of a thing in a role that a held-out item is about: they were written with these items at
+/// hand.
+Judgments without_held_out(Judgments judgments, std::span<const Item> items);
+
 /// Fits the counts to the items that are not held out and grades the others. `physical` is the knowledge base that
 /// swaps are drawn from: half of the swaps of a placement put another kind of thing at the place, half put the thing
 /// elsewhere, wherever it fits by size and shape; swaps of what is done draw another kind of thing that can be carried,

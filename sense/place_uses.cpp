@@ -18,6 +18,8 @@ std::string_view name_of(PlaceUse use) {
       return "dirty_or_not";
     case PlaceUse::PutAway:
       return "put_away";
+    case PlaceUse::OwnRooms:
+      return "own_rooms";
     case PlaceUse::NotAtHand:
       return "not_at_hand";
     case PlaceUse::Passing:
@@ -57,9 +59,9 @@ PlaceUses read_place_uses(const std::filesystem::path& path, const Kinds& kinds,
       if (kinds.find(kind) == nullptr) row.fail("places", "'" + kind + "' is not a kind of kinds.csv");
     }
     if (use == kPlaceUses.end()) {
-      row.fail("use",
-               "'" + name +
-                   "' is not a use; known are storage, dirty_things, dirty_or_not, put_away, not_at_hand and passing");
+      row.fail("use", "'" + name +
+                          "' is not a use; known are storage, dirty_things, dirty_or_not, put_away, own_rooms, "
+                          "not_at_hand and passing");
     } else if (!places.try_emplace(*use, std::move(all)).second) {
       row.fail("use", "'" + name + "' stands twice");
     }

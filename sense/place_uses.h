@@ -18,11 +18,13 @@ enum class PlaceUse {
   DirtyThings,  // dirty things go there to be washed or thrown away
   DirtyOrNot,   // the same, and they may also go there while the place itself is dirty
   PutAway,      // things go there only in rooms where they usually are: no shampoo in the cabinet of a living room
+  OwnRooms,     // the same of places where nothing is put away: no wine glass in the sink of a bathroom
   NotAtHand,  // nobody who needs a thing now has it put there: where things are put away, washed, stored or thrown away
   Passing,    // tasks put things there, but nobody keeps them there: food waits in an oven only while it is cooked
 };
 inline constexpr std::array kPlaceUses{PlaceUse::Storage, PlaceUse::DirtyThings, PlaceUse::DirtyOrNot,
-                                       PlaceUse::PutAway, PlaceUse::NotAtHand,   PlaceUse::Passing};
+                                       PlaceUse::PutAway, PlaceUse::OwnRooms,    PlaceUse::NotAtHand,
+                                       PlaceUse::Passing};
 std::string_view name_of(PlaceUse use);
 
 /// The kinds of places that have each use. Read only after loading.

@@ -33,7 +33,9 @@ class LayKinds : public ::testing::Test {
   void write(const std::string& table, const std::string& text) const {
     ASSERT_TRUE(write_file(folder.path() / "sense" / (table + ".csv"), text));
   }
-  void functions(const std::string& rows) const { write("functions", "function,phrases,kinds,also,except\n" + rows); }
+  void functions(const std::string& rows) const {
+    write("functions", "function,phrases,kinds,also,except,source\n" + rows);
+  }
   std::vector<Tables> lay() { return read_all_tables(folder.path() / "akb", {}, errors); }
   std::string only_error() const { return errors.size() == 1 ? format(errors.front()) : std::to_string(errors.size()); }
 
@@ -58,7 +60,7 @@ TEST_F(LayKinds, AKindComesWithAllWiderOnesNarrowestFirst) {
 }
 
 TEST_F(LayKinds, AFunctionHasTheCategoriesOfItsKindsAndThoseNamedWithoutTheExcluded) {
-  functions("eat,something to eat|anything to eat,food,half_apple|plate,plate\n");
+  functions("eat,something to eat|anything to eat,food,half_apple|plate,plate,curated\n");
   const auto all = lay();
   ASSERT_THAT(errors, IsEmpty());
   EXPECT_THAT(phrases_of(all[0], "apple"), ElementsAre("anything to eat", "something to eat"));
@@ -68,24 +70,24 @@ TEST_F(LayKinds, AFunctionHasTheCategoriesOfItsKindsAndThoseNamedWithoutTheExclu
 }
 
 TEST_F(LayKinds, APhraseThatTheTablesHaveStandsOnce) {
-  functions("drink,something to drink from,cup,,\n");
+  functions("drink,something to drink from,cup,,,curated\n");
   EXPECT_THAT(phrases_of(lay()[0], "mug"), ElementsAre("something to drink from"));
 }
 
 TEST_F(LayKinds, ReportsEveryFaultAtItsCell) {
-  functions("eat,something to eat,fod,,\n");
+  functions("eat,something to eat,fod,,,curated\n");
   lay();
   EXPECT_THAT(only_error(), HasSubstr("functions.csv:2:22: schema error: 'fod' is not a kind of kinds.csv"));
   errors.clear();
-  functions("eat,something to eat,food,aple,\n");
+  functions("eat,something to eat,food,aple,,curated\n");
   lay();
   EXPECT_THAT(only_error(), HasSubstr("2:27: schema error: no simulator has a category that is called 'aple'"));
   errors.clear();
-  functions("a,something to eat,food,,\nb,something to eat,cup,,\n");
+  functions("a,something to eat,food,,,curated\nb,something to eat,cup,,,curated\n");
   lay();
   EXPECT_THAT(only_error(), HasSubstr("3:3: schema error: 'something to eat' stands twice"));
   errors.clear();
-  functions("a,something to eat,,plate,plate\n");
+  functions("a,something to eat,,plate,plate,curated\n");
   lay();
   EXPECT_THAT(only_error(), HasSubstr("2:1: schema error: no simulator has a category that serves as this"));
 }

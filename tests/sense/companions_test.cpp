@@ -32,7 +32,7 @@ TEST(Companions, AreTheThingsAndPlacesOfOneActivity) {
                                 program_item("tea", "cup", "wash>in:cabinet"),
                                 program_item("wash", "cup", "in:sink"),
                                 program_item("vote", "bed", "in_room:bedroom", "metadata:preferences.csv.gz")};
-  const auto found = count_companions(items, kinds());
+  const auto found = add_up(count_companions(items, kinds()));
   EXPECT_EQ(found.all(), 2);
   const std::map<Companions::Pair, int> expected{
       {{"counter", "counter"}, 1}, {{"counter", "cup"}, 1}, {{"counter", "kettle"}, 1}, {{"cup", "cup"}, 2},
@@ -65,18 +65,22 @@ TEST(Companions, OfTheCommittedTableKnowWhatGoesTogether) {
 TEST(Companions, AreReadAsTheyAreWritten) {
   const ScratchFolder folder;
   const auto& committed = test::committed_sense().companions();
-  ASSERT_TRUE(write_file(folder.path() / "companions.csv", csv_of(committed, kinds())));
+  ASSERT_TRUE(write_file(folder.path() / "companions.csv",
+                         csv_of({{"a", committed}, {"b", {{{{"bed", "cup"}, 2}}, 3}}}, kinds())));
   std::vector<Error> errors;
   const auto read = read_companions(folder.path() / "companions.csv", kinds(), errors);
   EXPECT_THAT(errors, IsEmpty());
-  EXPECT_EQ(read.all(), committed.all());
-  EXPECT_EQ(read.activities(), committed.activities());
+  auto expected = committed.activities();
+  expected[{"bed", "cup"}] += 2;
+  EXPECT_EQ(read.all(), committed.all() + 3);
+  EXPECT_EQ(read.activities(), expected);
 }
 
 TEST(Companions, AFaultyRowIsToldWithItsPlace) {
   const ScratchFolder folder;
   const auto file = folder.path() / "companions.csv";
-  ASSERT_TRUE(write_file(file, "thing,other,activities\ncup,bed,1\ncup,kettel,1\nbed,cup,1\nbed,cup,2\n"));
+  ASSERT_TRUE(write_file(
+      file, "thing,other,activities,source\ncup,bed,1,a\ncup,kettel,1,a\nbed,cup,1,a\nbed,cup,1,b\nbed,cup,2,a\n"));
   std::vector<Error> errors;
   (void)read_companions(file, kinds(), errors);
   std::vector<std::string> texts;

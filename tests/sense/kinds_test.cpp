@@ -17,7 +17,7 @@ using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-constexpr auto* kHead = "name,singular,plural,parent,purpose,relation,piece,personal\n";
+constexpr auto* kHead = "name,singular,plural,parent,purpose,relation,piece,personal,several,source\n";
 
 std::vector<std::string> problems_of(const std::string& rows) {
   const ScratchFolder folder;
@@ -53,9 +53,9 @@ TEST(Kinds, EveryCategoryOfEverySimulatorHasOneAndNoOtherHas) {
 
 /// Whoever goes up or down a table that is no tree never ends.
 TEST(Kinds, OfATableThatIsNoTreeAreNone) {
-  for (const char* rows : {"thing,thing,things,,all,,\na,a,as,b,a,,\nb,b,bs,a,b,,\n",
-                           "thing,thing,things,,all,,\nthing,thing,things,thing,all,,\n",
-                           "thing,thing,things,,all,,\n,mug,mugs,,to drink from,,\n"}) {
+  for (const char* rows : {"thing,thing,things,,all,,,,,curated\na,a,as,b,a,,,,,curated\nb,b,bs,a,b,,,,,curated\n",
+                           "thing,thing,things,,all,,,,,curated\nthing,thing,things,thing,all,,,,,curated\n",
+                           "thing,thing,things,,all,,,,,curated\n,mug,mugs,,to drink from,,,,,curated\n"}) {
     const ScratchFolder folder;
     EXPECT_TRUE(write_file(folder.path() / "kinds.csv", kHead + std::string(rows)));
     std::vector<Error> errors;
@@ -67,8 +67,9 @@ TEST(Kinds, OfATableThatIsNoTreeAreNone) {
 /// Who goes up a line of kinds by recursion would need as much of the stack.
 TEST(Kinds, AreAtMostAHundredAboveOneAnother) {
   const auto line = [](int kinds) {
-    std::string rows = "k0,k,ks,,all,,,\n";
-    for (int i = 1; i <= kinds; ++i) rows += "k" + std::to_string(i) + ",k,ks,k" + std::to_string(i - 1) + ",all,,,\n";
+    std::string rows = "k0,k,ks,,all,,,,,curated\n";
+    for (int i = 1; i <= kinds; ++i)
+      rows += "k" + std::to_string(i) + ",k,ks,k" + std::to_string(i - 1) + ",all,,,,,curated\n";
     return problems_of(rows);
   };
   EXPECT_THAT(line(100), IsEmpty());
@@ -85,16 +86,18 @@ TEST(Kinds, SayHowThingsAreAtAPlace) {
 }
 
 TEST(Kinds, RefusesATableThatIsNoTree) {
-  EXPECT_THAT(problems_of("thing,thing,things,,all,,,\n"), IsEmpty());
-  EXPECT_THAT(problems_of("thing,thing,things,,all,,,\ncup,cup,cups,crockery,drink,,,\n"),
+  EXPECT_THAT(problems_of("thing,thing,things,,all,,,,,curated\n"), IsEmpty());
+  EXPECT_THAT(problems_of("thing,thing,things,,all,,,,,curated\ncup,cup,cups,crockery,drink,,,,,curated\n"),
               Contains(HasSubstr("'crockery' is not a kind of this table")));
-  EXPECT_THAT(problems_of("thing,thing,things,,all,,,\na,a,a,b,x,,,\nb,b,b,a,x,,,\n"),
+  EXPECT_THAT(problems_of("thing,thing,things,,all,,,,,curated\na,a,a,b,x,,,,,curated\nb,b,b,a,x,,,,,curated\n"),
               Contains(HasSubstr("'a' is above itself")));
-  EXPECT_THAT(problems_of("thing,thing,things,,all,,,\nthing,t,t,,all,,,\n"), Contains(HasSubstr("stands twice")));
-  EXPECT_THAT(problems_of(",a,a,,all,,,\n"), Contains(HasSubstr("name")));
-  EXPECT_THAT(problems_of("a,a,a,,all,,,\nb,b,b,,all,,,\n"), Contains(HasSubstr("expected one root")));
-  EXPECT_THAT(problems_of("a,a,a,,all,beside,,\n"), Contains(HasSubstr("'beside' is no relation")));
-  EXPECT_THAT(problems_of("a,a,a,,all,,,maybe\n"), Contains(HasSubstr("expected nothing or yes")));
+  EXPECT_THAT(problems_of("thing,thing,things,,all,,,,,curated\nthing,t,t,,all,,,,,curated\n"),
+              Contains(HasSubstr("stands twice")));
+  EXPECT_THAT(problems_of(",a,a,,all,,,,,curated\n"), Contains(HasSubstr("name")));
+  EXPECT_THAT(problems_of("a,a,a,,all,,,,,curated\nb,b,b,,all,,,,,curated\n"),
+              Contains(HasSubstr("expected one root")));
+  EXPECT_THAT(problems_of("a,a,a,,all,beside,,,,curated\n"), Contains(HasSubstr("'beside' is no relation")));
+  EXPECT_THAT(problems_of("a,a,a,,all,,,maybe,,curated\n"), Contains(HasSubstr("expected nothing or yes")));
 }
 
 }  // namespace

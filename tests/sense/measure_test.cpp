@@ -24,6 +24,17 @@ TEST(Measure, HoldsOutWholeActivities) {
   EXPECT_LT(held, 140);
 }
 
+TEST(Measure, JudgmentsOfHeldOutItemsCanBeLeftOut) {
+  std::vector<Item> items;
+  for (int i = 0; i < 40; ++i)
+    items.push_back(item("cup", "in:role " + std::to_string(i), "activity " + std::to_string(i)));
+  Judgments judgments{{{"cup", "wash"}, Grade::Usual}};
+  for (const auto& one : items) judgments.emplace(std::pair(one.evidence.thing, one.evidence.role), Grade::Usual);
+  const auto left = without_held_out(judgments, items);
+  EXPECT_TRUE(left.contains({"cup", "wash"}));
+  for (const auto& one : items) EXPECT_NE(left.contains({"cup", one.evidence.role}), is_held_out(one));
+}
+
 TEST(Measure, GradesOnlyWhatWasHeldOut) {
   std::vector<Item> items;
   int held = 0;

@@ -32,6 +32,8 @@ TEST(PlaceUses, AreThoseOfTheirKindAndOfWiderOnes) {
   EXPECT_FALSE(sense.used_for("oven", PlaceUse::Storage));
   EXPECT_TRUE(sense.used_for("shelf", PlaceUse::PutAway));
   EXPECT_FALSE(sense.used_for("fridge", PlaceUse::PutAway));
+  EXPECT_TRUE(sense.used_for("sink", PlaceUse::OwnRooms));
+  EXPECT_FALSE(sense.used_for("sink", PlaceUse::PutAway));
   EXPECT_TRUE(sense.used_for("oven", PlaceUse::Passing));
   EXPECT_TRUE(sense.used_for("counter", PlaceUse::DirtyThings));
   EXPECT_FALSE(sense.used_for("counter", PlaceUse::DirtyOrNot));
@@ -44,7 +46,7 @@ TEST(PlaceUses, AreThoseOfTheirKindAndOfWiderOnes) {
 TEST(PlaceUses, AFaultyRowIsReportedWithItsPlace) {
   const std::string rest =
       "dirty_things,sink,curated\ndirty_or_not,sink,curated\nput_away,shelf,curated\nnot_at_hand,sink,curated\n"
-      "passing,oven,curated\n";
+      "own_rooms,sink,curated\npassing,oven,curated\n";
   EXPECT_THAT(place_problems("storage,cabinet|drawer,curated\n" + rest), IsEmpty());
   EXPECT_THAT(place_problems("storage,cabnet,curated\n" + rest),
               Contains(HasSubstr("2:9: schema error: 'cabnet' is not")));
