@@ -146,10 +146,37 @@ class Author {
                        slots.begin() + static_cast<std::ptrdiff_t>(to) + 1, is_the);
   }
 
+  std::string category_of(const std::string& placeholder) const {
+    for (const auto& [name, category] : specification_.binding)
+      if (name == placeholder) return category;
+    return "";
+  }
+
+  static const Formula* binder_of_slices(const Formula& part, const std::string& category) {
+    const auto& members = part.domain.members;
+    if (members.size() == 1 && members[0].slice && members[0].category == category) return &part;
+    for (const Formula& child : part.children)
+      if (const Formula* found = binder_of_slices(child, category)) return found;
+    return nullptr;
+  }
+
+  /// Of a placeholder for a word or for what is sliced: "red", "wooden", "salt", "potato" of "two slices of potato".
+  Text bound_word(const std::string& word, std::string_view before) {
+    if (word.empty()) return std::nullopt;
+    if (before.ends_with("slices of ")) return naming_.singular(of_category(word));
+    const bool shaken = naming_.comes_from_a_shaker(word);
+    if (before.ends_with("prinkle ") && !shaken) return std::nullopt;
+    if (before.ends_with("rizzle ") && !is_drizzled(word)) return std::nullopt;
+    if (before.ends_with("pread ") && (shaken || is_drizzled(word))) return std::nullopt;
+    return before.ends_with("the ") && word == "wood" ? "wooden" : symbol_words(word);
+  }
+
   Text words_for(const Slot& slot, std::string_view before, Place place) {
-    const std::string variable = lower(slot.placeholder);
-    const Formula* binder = binder_of(specification_.goal, variable);
-    if (binder == nullptr) return std::nullopt;
+    const std::string category = category_of(slot.placeholder);
+    const Formula* binder = slot.form == "slice" ? binder_of_slices(specification_.goal, category)
+                                                 : binder_of(specification_.goal, lower(slot.placeholder));
+    if (binder == nullptr) return slot.form.empty() ? bound_word(category, before) : std::nullopt;
+    const std::string& variable = binder->variable;
     if (slot.form.empty() || slot.form == "plural") {
       // "In the same fridge", of a home with one.
       if (before.ends_with("same ") && naming_.is_alone(binder->domain)) return std::nullopt;
@@ -195,19 +222,19 @@ class Author {
     if (binder.op == Op::Forall || binder.op == Op::Count) {
       const std::size_t there = home_.members(binder.domain, binder.variable).size();
       // "All the mugs" and "two mugs" promise more; of two it would be "both".
-      const bool all = binder.op == Op::Forall || static_cast<int>(there) == binder.number;
-      const bool says_both =
-          before.ends_with("oth ") || before.ends_with("One of the ") || before.ends_with("one of the ");
-      if (there == 1 || (there == 2 && all) != says_both) return std::nullopt;
-      if (there > 0 && static_cast<int>(there) == binder.number && !says_both) return std::nullopt;
+      const bool takes_all = binder.number == 0;  // "take both mugs off the table"
+      const bool all = binder.op == Op::Forall || takes_all || static_cast<int>(there) == binder.number;
+      const bool says_both = before.ends_with("oth ");
+      const bool one_of = before.ends_with("One of the ") || before.ends_with("one of the ");  // "… and the other one"
+      if (one_of ? there != 2 : there == 1 || (there == 2 && all) != says_both) return std::nullopt;
+      if (there > 0 && static_cast<int>(there) == binder.number && !says_both && !one_of) return std::nullopt;
       said_all_ = said_all_ || (binder.op == Op::Forall && !before.ends_with("ne of the "));
     }
     NounPhrase thing;
     thing.noun = binder.domain;
-    const bool described = !thing.noun.where.empty();
     thing.noun.where.clear();
     if (plural) {
-      const Text many = described ? std::nullopt : naming_.plural(thing);
+      const Text many = naming_.plural(thing);
       const bool all = before.ends_with("the ") && !before.ends_with("ne of the ");
       return many && all && many->starts_with("pairs of ") ? std::nullopt : many;  // "all the pants"
     }

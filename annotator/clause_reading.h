@@ -41,6 +41,7 @@ class ClauseReader {
   Clause taken();
   bool is_room(const Domain& noun) const;
   Clause with_symbol(Predicate predicate);
+  Clause with_state(Predicate predicate, bool negated, std::string symbol);
   Clause symbol_first(Predicate predicate, std::string_view link, bool negated);
   Clause changed();
   Clause shared_out();

@@ -44,12 +44,6 @@ bool speaks_of(const Clause& clause, const Domain& noun) {
 
 /// Whether an action is done to an object where it stands: "open the drawer in the kitchen" is clear, "cook the egg on
 /// a table" is not.
-/// Whether a substance is too thin to be spread.
-bool is_drizzled(const std::string& substance) {
-  return substance.ends_with("vinegar") || substance.ends_with("oil") || substance.ends_with("juice") ||
-         substance == "soy_sauce";
-}
-
 bool is_done_in_place(Predicate predicate) {
   return predicate == P::Open || predicate == P::Closed || predicate == P::PowerOn || predicate == P::PowerOff ||
          predicate == P::Held;
@@ -380,7 +374,9 @@ std::optional<std::string> ClauseWriter::taken_first(const Clause& clause) {
   if (there && !again && is_place && rng_.chance(0.5)) {
     const auto to = naming_.phrase(goes.object[0], place);
     if (!to || to->text == "it") return std::nullopt;
-    const std::string into = goes.predicate == Predicate::Inside ? " into " : " to ";
+    // "To the toilet" does not say on it.
+    const std::string onto = to->text.ends_with("toilet") ? " onto " : " to ";
+    const std::string into = goes.predicate == Predicate::Inside ? " into " : onto;
     return "move " + subject->text + " from " + *there + into + to->text;
   }
   const bool sought = naming_.everyday() && naming_.names_by_use(thing.noun);

@@ -21,7 +21,9 @@ Clause ClauseReader::command() {
     return either;
   }
   if (assurance_comes()) return statements();
-  if (words_.accept("go to")) return reached();
+  if (words_.accept_one({"go to", "walk over to", "walk to"}) >= 0) return reached();
+  if (words_.accept_one({"bring me", "get me", "fetch me"}) >= 0) return with_state(P::Held, false, "");
+  if (words_.accept_one({"dust off", "dust"}) >= 0) return with_state(P::Covered, true, "dust");
   if (words_.accept("do not hold")) {
     Clause clause;
     clause.subjects.push_back(words_.phrase());
@@ -112,6 +114,16 @@ Clause ClauseReader::moved() {
       const bool one = place.determiner == Determiner::New || place.determiner == Determiner::The;
       if (one && place.modifiers.empty()) place.determiner = Determiner::Any;
     }
+  return clause;
+}
+
+/// "bring me the mug", "dust the desk"
+Clause ClauseReader::with_state(Predicate predicate, bool negated, std::string symbol) {
+  Clause clause;
+  words_.set_bare_places(true);
+  clause.subjects = words_.phrases(clause.any_subject);
+  words_.set_bare_places(false);
+  clause.complements.push_back({predicate, negated, std::move(symbol), {}});
   return clause;
 }
 
@@ -212,7 +224,7 @@ Clause ClauseReader::with_symbol(Predicate predicate) {
 Clause ClauseReader::symbol_first(Predicate predicate, std::string_view link, bool negated) {
   Clause clause;
   clause.complements.push_back({predicate, negated, words_.symbol(), {}});
-  words_.expect(link);
+  if (!negated || !words_.accept("from")) words_.expect(link);  // "wipe the jam from the table"
   words_.set_bare_places(true);
   clause.subjects = words_.phrases(clause.any_subject);
   words_.set_bare_places(false);
@@ -242,6 +254,8 @@ Clause ClauseReader::changed() {
     words_.set_bare_places(false);
     if (!verb.after.empty() && !words_.accept(verb.after) && !verb.optional)
       words_.fail("expected '" + std::string(verb.after) + "'");
+    if (verb.predicate == P::Frozen) words_.accept("solid");
+    if (verb.predicate == P::Cooked) words_.accept("through");
     for (const NounPhrase& subject : clause.subjects)
       if (subject.determiner == Determiner::No || subject.determiner == Determiner::AtMost)
         words_.fail("expected something to act on before this");

@@ -100,7 +100,7 @@ std::optional<Naming::Description> Naming::describe(const NounPhrase& said, Plac
       const bool held = modifier->predicate == Predicate::Inside;
       const std::string is = object->plural ? " are" : " is";
       description.directly = (held ? " where " : " on which ") + object->text +
-                             (held             ? is + pick({" kept", ""})
+                             (held             ? is + " kept"
                               : object->plural ? " stand"
                                                : " stands");
       continue;

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <optional>
 
+#include "annotator/another_meaning.h"
 #include "annotator/authored.h"
 #include "annotator/conditions.h"
 #include "annotator/contrast.h"
@@ -95,24 +96,9 @@ class TextChecker {
   const std::vector<std::string>& opened() const { return opened_; }
   const Trace& start() const { return start_; }
 
-  /// Whether the name of a thing of the goal may be heard as another thing of the home: "the side table" as the
-  /// nightstand.
-  bool may_mean_another(const std::string& text) const {
-    if (home_ == nullptr) return false;
-    const auto tokens = tokens_of(text);
-    const auto own = categories_of(specification_.goal);
-    return std::any_of(own.begin(), own.end(), [&](const std::string& category) {
-      const NounTable::Name* name = lexicon_.display(category);
-      const Category* found = knowledge_.find(category);
-      if (name == nullptr || found == nullptr || !(says(tokens, name->singular) || says(tokens, name->plural)))
-        return false;
-      const auto others = lexicon_.everyday()->look_alikes(found->display);
-      return std::any_of(there_.begin(), there_.end(), [&](const std::string& there) {
-        const Category* other = knowledge_.find(there);
-        return other != nullptr && std::find(own.begin(), own.end(), there) == own.end() &&
-               std::find(others.begin(), others.end(), other->display) != others.end();
-      });
-    });
+  /// Whether what a text names may be taken for another thing of the home.
+  bool names_another(const std::string& text) const {
+    return home_ != nullptr && may_mean_another(text, specification_.goal, *home_, knowledge_, lexicon_);
   }
 
   bool reads_back(const std::string& text) const {
@@ -397,7 +383,7 @@ class Writer {
     if (is_everyday() && text.starts_with("Choose the ")) return std::nullopt;
     // Nobody closes "the place where we wash our hands".
     if (text.find(" the place where ") != text.npos || text.find(" the spot where ") != text.npos) return std::nullopt;
-    if (options_.tells_apart && is_everyday() && judge_.may_mean_another(text)) return std::nullopt;
+    if (options_.tells_apart && is_everyday() && judge_.names_another(text)) return std::nullopt;
     if (!judge_.reads_back(text) || !style_fault(text, style, specification_.goal, options_.around, nouns_).empty())
       return std::nullopt;
     return Instruction{text,  "grammar",

@@ -39,6 +39,12 @@ bool has_phrase_of(const std::vector<Token>& words, Style style, const std::vect
   return false;
 }
 
+/// "The cupboard where the sponge is kept": a place by what it is used for.
+bool tells_what_is_kept(const std::vector<Token>& words) {
+  const auto where = std::find_if(words.begin(), words.end(), [](const Token& word) { return word.text == "where"; });
+  return std::any_of(where, words.end(), [](const Token& word) { return word.text == "kept"; });
+}
+
 /// Whether some thing of the goal is called by another name, and not by its usual one.
 bool has_alias(const std::vector<Token>& words, const std::vector<std::string>& categories, const NounTable& lexicon) {
   return std::any_of(categories.begin(), categories.end(), [&](const std::string& category) {
@@ -71,9 +77,10 @@ std::vector<Style> phenomena_of(const std::string& text, Style style, const Form
   for (std::size_t i = 0; i < kStyleCount; ++i) {
     const auto one = static_cast<Style>(i);
     const bool marked = std::find(kMarked.begin(), kMarked.end(), one) != kMarked.end();
-    const bool seen = one == Style::Negation ? denies(words)
-                      : one == Style::Alias  ? has_alias(words, categories, lexicon)
-                      : !marked              ? false
+    const bool seen = one == Style::Negation                                   ? denies(words)
+                      : one == Style::Alias                                    ? has_alias(words, categories, lexicon)
+                      : one == Style::Description && tells_what_is_kept(words) ? true
+                      : !marked                                                ? false
                       : names_by_phrase(one) ? has_phrase_of(words, one, categories, lexicon)
                                              : style_fault(text, one, goal, {}, lexicon).empty();
     if (one != Style::Direct && (one == style || seen)) shown.push_back(one);

@@ -135,8 +135,8 @@ std::string PhraseReader::symbol() {
   std::vector<std::string> words;
   while (!done() && !failed()) {
     bool stop = false;
-    for (const char* end : {",",  ".",    "?",    "!",   ";",  "and",   "or",  "before", "until", "then",  "on",
-                            "in", "into", "over", "off", "at", "again", "the", "is",     "if",    "except"})
+    for (const char* end : {",",  ".",    "?",    "!",   ";",    "and", "or",    "before", "until", "then", "on",
+                            "in", "into", "over", "off", "from", "at",  "again", "the",    "is",    "if",   "except"})
       stop |= peek() == end;
     if (stop) break;
     words.push_back(peek());
@@ -144,6 +144,7 @@ std::string PhraseReader::symbol() {
   }
   if (words.empty()) fail("expected a substance");
   if (words.size() == 1 && words[0] == "something") return "any";
+  if (words.size() > 1 && words.back() == "seeds") words.back() = "seed";
   return join(words, "_");
 }
 

@@ -114,7 +114,13 @@ std::string state_word(Predicate predicate) { return std::string(row_of(predicat
 std::string before_object(Predicate predicate) { return std::string(row_of(predicate).preposition); }
 
 std::string symbol_words(const std::string& symbol) {
-  return symbol == "parmesan" ? "Parmesan" : replace_all(symbol, "_", " ");
+  if (symbol == "parmesan") return "Parmesan";
+  return replace_all(symbol, "_", " ") + (symbol.ends_with("_seed") ? "s" : "");  // "sesame seeds"
+}
+
+bool is_drizzled(const std::string& substance) {
+  return substance.ends_with("vinegar") || substance.ends_with("oil") || substance.ends_with("juice") ||
+         substance == "soy_sauce";
 }
 
 std::string floor_of(const std::string& room, bool described) {

@@ -15,6 +15,8 @@ std::string state_word(Predicate predicate);
 std::string before_object(Predicate predicate);
 /// A color, material or substance in words: "black pepper", "Parmesan".
 std::string symbol_words(const std::string& symbol);
+/// Whether a substance is too thin to be spread.
+bool is_drizzled(const std::string& substance);
 /// "its floor" for "it", "the bedroom floor" for "the bedroom"; a room that is described keeps its place at the end.
 std::string floor_of(const std::string& room, bool described);
 

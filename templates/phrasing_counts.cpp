@@ -73,9 +73,10 @@ void collect(const Formula& formula, Asked& asked) {
 std::vector<DoubtfulPhrasing> doubtful_phrasings(const Template& source) {
   Asked asked;
   collect(source.goal, asked);
-  const WordList of_all = {"all",        "every",    "each",    "any",   "no",      "none",  "whole",   "entire",
-                           "everything", "whatever", "only",    "never", "nothing", "both",  "clear",   "empty",
-                           "whichever",  "neither",  "without", "not",   "rest",    "those", "together"};
+  const WordList of_all = {"all",    "every",      "each",      "any",     "no",      "none",    "whole",
+                           "entire", "everything", "whatever",  "only",    "never",   "nothing", "both",
+                           "clear",  "empty",      "whichever", "neither", "without", "not",     "rest",
+                           "those",  "together",   "where"};  // "leave the one on the bed where it is"
   std::vector<DoubtfulPhrasing> doubtful;
   for (std::size_t i = 0; i < source.instructions.size(); ++i) {
     const auto words = words_of(source.instructions[i]);

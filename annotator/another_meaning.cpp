@@ -1,0 +1,154 @@
+#include "annotator/another_meaning.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace unietp {
+namespace {
+
+using Op = Formula::Op;
+
+bool contains(std::span<const std::string> words, std::string_view word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// "Eyeglasses" of "pair of eyeglasses".
+std::string_view head(std::string_view name) {
+  constexpr std::string_view kPair = "pair of ";
+  return name.starts_with(kPair) ? name.substr(kPair.size()) : name;
+}
+
+class Listener {
+ public:
+  Listener(const std::string& text, const Formula& goal, const Scene& home, const Knowledge& knowledge,
+           const NounTable& nouns)
+      : text_(text),
+        words_(tokens_of(text)),
+        goal_(goal),
+        home_(home),
+        knowledge_(knowledge),
+        nouns_(nouns),
+        own_(categories_of(goal)) {
+    std::map<std::string_view, std::string_view> type_of;
+    for (const Room& room : home.rooms) type_of.emplace(room.id, room.type);
+    for (const Edge& edge : home.edges)
+      if (edge.relation == Predicate::InRoom) room_of_[edge.from] = type_of[edge.to];
+    for (const Node& node : home.nodes)
+      if (!contains(own_, node.category)) others_.insert(node.category);
+  }
+
+  bool takes_another() const {
+    return std::any_of(own_.begin(), own_.end(), [&](const std::string& own) { return hears_other(own); }) ||
+           hears_other_use() || sees_other_beside_the_room(goal_);
+  }
+
+ private:
+  bool says_name(const NounTable::Name& name) const { return says(words_, name.singular) || says(words_, name.plural); }
+
+  /// Whether another thing of the home has such a name, or looks like what has it.
+  bool hears_other(const std::string& own) const {
+    const NounTable::Name* name = nouns_.display(own);
+    const Category* known = knowledge_.find(own);
+    if (name == nullptr || known == nullptr || !says_name(*name)) return false;
+    const std::string_view place = place_in(name->singular);
+    if (!known->movable && !place.empty() && !stands_in(own, known->rooms)) return true;
+    const auto alike = nouns_.everyday()->look_alikes(known->display);
+    return std::any_of(others_.begin(), others_.end(), [&](const std::string& there) {
+      const Category* other = knowledge_.find(there);
+      return other != nullptr && (contains(alike, other->display) || is_called(there, *other, name->singular)) &&
+             (place.empty() || !is_room(place) || stands_in(there, std::array{std::string(place)}));
+    });
+  }
+
+  /// The room or use that a name of furniture starts with: "bathroom" of "bathroom sink"; or "".
+  static std::string_view place_in(std::string_view name) {
+    constexpr std::array<std::string_view, 5> kPlaces{"dining", "kitchen", "bathroom", "bedside", "office"};
+    const std::string_view word = name.substr(0, name.find(' '));
+    return std::find(kPlaces.begin(), kPlaces.end(), word) == kPlaces.end() ? std::string_view() : word;
+  }
+
+  bool is_room(std::string_view type) const {
+    return std::any_of(home_.rooms.begin(), home_.rooms.end(), [&](const Room& room) { return room.type == type; });
+  }
+
+  bool stands_in(const std::string& category, std::span<const std::string> room_types) const {
+    return std::any_of(home_.nodes.begin(), home_.nodes.end(), [&](const Node& node) {
+      return node.category == category && contains(room_types, room_of(node.id));
+    });
+  }
+
+  bool is_called(const std::string& category, const Category& known, std::string_view name) const {
+    if (head(known.display) == head(name)) return true;
+    const auto synonyms = nouns_.synonyms(category);
+    return std::any_of(synonyms.begin(), synonyms.end(),
+                       [&](const NounTable::Name& synonym) { return head(synonym.singular) == head(name); });
+  }
+
+  /// Of what is named by its use: whether something else there would do as well.
+  bool hears_other_use() const {
+    return std::any_of(nouns_.phrases().begin(), nouns_.phrases().end(), [&](const auto& entry) {
+      const NounTable::Phrase& phrase = entry.second;
+      const std::string& said = phrase.need.empty() ? phrase.text : phrase.need;
+      if (text_.find(said) == std::string::npos) return false;
+      const auto alike = nouns_.everyday()->look_alikes(said);
+      return std::any_of(others_.begin(), others_.end(), [&](const std::string& there) {
+        const Category* other = knowledge_.find(there);
+        return other != nullptr && contains(alike, other->display);
+      });
+    });
+  }
+
+  /// "The bedroom side table", where the next one stands on the other side of the bedroom's door.
+  bool sees_other_beside_the_room(const Formula& formula) const {
+    for (const Formula& where : formula.domain.where) {
+      const bool of_room = where.op == Op::Exists && where.domain.members.size() == 1 &&
+                           where.children[0].op == Op::Atom && where.children[0].predicate == Predicate::InRoom;
+      if (of_room && formula.domain.members.size() == 1 &&
+          stands_beside(formula.domain.members[0].category, where.domain.members[0].category))
+        return true;
+      if (sees_other_beside_the_room(where)) return true;
+    }
+    return std::any_of(formula.children.begin(), formula.children.end(),
+                       [&](const Formula& child) { return sees_other_beside_the_room(child); });
+  }
+
+  bool stands_beside(const std::string& category, std::string_view room) const {
+    const Category* known = knowledge_.find(category);
+    if (known == nullptr || known->movable) return false;
+    std::set<std::string_view> outside;
+    for (const Node& node : home_.nodes)
+      if (node.category == category && room_of(node.id) != room) outside.insert(node.id);
+    return std::any_of(home_.edges.begin(), home_.edges.end(), [&](const Edge& edge) {
+      return edge.relation == Predicate::NextTo && outside.contains(edge.from) && room_of(edge.to) == room;
+    });
+  }
+
+  std::string_view room_of(std::string_view node) const {
+    const auto found = room_of_.find(node);
+    return found == room_of_.end() ? std::string_view() : found->second;
+  }
+
+  const std::string& text_;
+  std::vector<Token> words_;
+  const Formula& goal_;
+  const Scene& home_;
+  const Knowledge& knowledge_;
+  const NounTable& nouns_;
+  std::vector<std::string> own_;                          // categories of the goal
+  std::set<std::string> others_;                          // and of what else is there
+  std::map<std::string_view, std::string_view> room_of_;  // the type of room that a node is in
+};
+
+}  // namespace
+
+bool may_mean_another(const std::string& text, const Formula& goal, const Scene& home, const Knowledge& knowledge,
+                      const NounTable& nouns) {
+  return Listener(text, goal, home, knowledge, nouns).takes_another();
+}
+
+}  // namespace unietp

@@ -1,0 +1,86 @@
+#include "annotator/another_meaning.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "logic/formula.h"
+#include "tests/support/committed_knowledge.h"
+#include "tests/support/committed_names.h"
+
+namespace unietp {
+namespace {
+
+Node thing(const std::string& category) {
+  Node node;
+  node.id = category + "_1";
+  node.category = category;
+  return node;
+}
+
+/// A home of BEHAVIOR with one thing of each category, in a room of the type that comes with it.
+Scene home_with(const std::vector<std::pair<std::string, std::string>>& things) {
+  Scene home;
+  for (const auto& [category, type] : things) {
+    home.nodes.push_back(thing(category));
+    const Room room{type + "_1", type, {}};
+    if (std::find(home.rooms.begin(), home.rooms.end(), room) == home.rooms.end()) home.rooms.push_back(room);
+    home.edges.insert({Predicate::InRoom, category + "_1", room.id});
+  }
+  return home;
+}
+
+bool is_unclear(const std::string& text, const std::string& goal, const Scene& home) {
+  const Knowledge& knowledge = committed_knowledge(Simulator::Behavior);
+  static const NounTable nouns(knowledge, committed_names());
+  return may_mean_another(text, *parse_formula("test", goal, FormulaUse::Goal), home, knowledge, nouns);
+}
+
+TEST(AnotherMeaning, IsThatOfWhatIsCalledSoToo) {
+  const std::string goal = "(exists (?a - frying_pan) (exists (?b - burner) (at-end (on ?a ?b))))";
+  const std::string text = "Put the frying pan on the burner.";
+  EXPECT_FALSE(is_unclear(text, goal, home_with({{"frying_pan", "kitchen"}, {"burner", "kitchen"}})));
+  EXPECT_TRUE(
+      is_unclear(text, goal, home_with({{"frying_pan", "kitchen"}, {"burner", "kitchen"}, {"stove", "kitchen"}})));
+}
+
+TEST(AnotherMeaning, IsNotThatOfWhatIsInAnotherRoomThanTheNameSays) {
+  const std::string goal = "(exists (?a - sponge) (exists (?b - pedestal_sink) (at-end (inside ?a ?b))))";
+  const std::string text = "Put the sponge in the bathroom sink.";
+  EXPECT_FALSE(is_unclear(text, goal, home_with({{"pedestal_sink", "bathroom"}, {"furniture_sink", "kitchen"}})));
+  EXPECT_TRUE(is_unclear(text, goal, home_with({{"pedestal_sink", "bathroom"}, {"furniture_sink", "bathroom"}})));
+}
+
+TEST(AnotherMeaning, IsThatOfFurnitureThatIsNotWhereItsNameSays) {
+  const std::string goal = "(exists (?a - carton) (exists (?b - breakfast_table) (at-end (on ?a ?b))))";
+  const std::string text = "Put the cardboard box on the dining table.";
+  EXPECT_FALSE(is_unclear(text, goal, home_with({{"breakfast_table", "kitchen"}})));
+  EXPECT_TRUE(is_unclear(text, goal, home_with({{"breakfast_table", "office"}})));
+}
+
+TEST(AnotherMeaning, IsThatOfWhatWouldDoAsWell) {
+  const std::string goal =
+      "(exists (?a - (either bottle_of_gin bottle_of_rum)) (exists (?b - coffee_table) (at-end (on ?a ?b))))";
+  const std::string text = "Get an alcoholic drink and put it on the coffee table.";
+  EXPECT_FALSE(is_unclear(text, goal, home_with({{"bottle_of_gin", "kitchen"}, {"coffee_table", "living_room"}})));
+  EXPECT_TRUE(is_unclear(text, goal, home_with({{"bottle_of_gin", "kitchen"}, {"wine_bottle", "kitchen"}})));
+}
+
+TEST(AnotherMeaning, IsThatOfWhatStandsAtTheDoorOfTheRoom) {
+  const std::string goal =
+      "(exists (?a - vase) (exists (?b - (nightstand :where (exists (?r - bedroom) (in_room ?b ?r)))) "
+      "(at-end (on ?a ?b))))";
+  const std::string text = "Put the vase on the nightstand in the bedroom.";
+  Scene home = home_with({{"bed", "bedroom"}, {"nightstand", "bedroom"}});
+  Node outside = thing("nightstand");
+  outside.id = "nightstand_2";
+  home.nodes.push_back(outside);
+  home.rooms.push_back({"corridor_1", "corridor", {}});
+  home.edges.insert({Predicate::InRoom, "nightstand_2", "corridor_1"});
+  EXPECT_FALSE(is_unclear(text, goal, home));
+  home.edges.insert({Predicate::NextTo, "nightstand_2", "bed_1"});
+  EXPECT_TRUE(is_unclear(text, goal, home));
+}
+
+}  // namespace
+}  // namespace unietp
