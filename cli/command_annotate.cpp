@@ -2,6 +2,7 @@
 
 #include "cli/command_parser.h"
 #include "cli/writer_options.h"
+#include "core/limits.h"
 
 namespace unietp {
 namespace {
@@ -52,7 +53,7 @@ void add_annotate_command(CommandParser& app, CommandLine& program) {
       ->add_option("--wordings", options->request.wordings,
                    "The same, with this many different texts of each task's goal, or as many as the grammar has "
                    "(default with --paired: 2)")
-      ->within(2, 50);
+      ->within(2, limits::kWordings);
   command->add_flag("--contrasts", options->request.contrasts,
                     "The same, with a text that differs from the direct one in one word and asks for another goal");
   command->add_flag("--replace-human", options->request.replace_human,

@@ -32,9 +32,9 @@ GrammarWording wording_of(const RecordedWriting& writing) {
 
 using PlannedHomes = LazyValues<Result<HomesOfSlots>>;  // by the text of the configuration
 
-/// Whether the task is in a home of the block of its slot. Which block that is cannot be told of given homes, or where
+/// Whether a home is of the block of a slot. Which block that is cannot be told of given homes, or where
 /// templates of the user's own are not known here.
-std::string home_fault(const TaskRecord& task, const ManifestRecord& manifest, const Resources& resources,
+std::string home_fault(int slot, const std::string& home, const ManifestRecord& manifest, const Resources& resources,
                        PlannedHomes& planned) {
   const auto configuration = configuration_from_json(kManifest, manifest.run.text);
   if (!configuration || !configuration->scenes.empty()) return "";  // the former is told elsewhere
@@ -42,8 +42,8 @@ std::string home_fault(const TaskRecord& task, const ManifestRecord& manifest, c
     if (!is_known_template(resources, own.substr(0, own.find(' ')))) return "";
   const auto homes = planned.get(manifest.run.text, [&] { return HomesOfSlots::of(*configuration, resources); });
   if (!*homes) return "is of a run that cannot be planned again: " + homes->error().message;
-  if ((*homes)->may_fill(task.slot, task.layout)) return "";
-  return "is in " + task.layout + ", where the run does not fill slot " + std::to_string(task.slot);
+  if ((*homes)->may_fill(slot, home)) return "";
+  return "is in " + home + ", where the run does not fill slot " + std::to_string(slot);
 }
 
 Result<Instruction> rewritten(const TaskRecord& record, const Scene& start, const RecordedWriting& writing,
@@ -75,9 +75,9 @@ Result<ValidationOptions> full_validation(const Resources& resources, const Data
   options.check_text = [&resources](const StatedGoal& stated) {
     return check_text(stated, resources.backend(stated.simulator));
   };
-  options.home_in_run = [&resources, planned = std::make_shared<PlannedHomes>()](const TaskRecord& task,
+  options.home_in_run = [&resources, planned = std::make_shared<PlannedHomes>()](int slot, const std::string& home,
                                                                                  const ManifestRecord& manifest) {
-    return home_fault(task, manifest, resources, *planned);
+    return home_fault(slot, home, manifest, resources, *planned);
   };
   options.check_template = [&resources](const TaskRecord& task, const Formula& goal, const ManifestRecord& manifest) {
     auto problems = check_template(task, goal, manifest, resources);

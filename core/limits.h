@@ -82,6 +82,7 @@ inline constexpr std::uint64_t kSeed = 9'007'199'254'740'991;  // 2^53 - 1
 inline constexpr int kTasks = 1'000'000'000;                   // of a run
 inline constexpr int kAttempts = 1024;                         // for one task (dataset/candidate_number.h)
 inline constexpr int kThreads = 1024;                          // of one command
+inline constexpr int kWordings = 50;                           // different texts of one goal in wordings.jsonl
 
 // Servers. A session takes some 20 MB, and a message may hold an agent's longest answer with every sign escaped.
 inline constexpr std::size_t kMessageBytes = std::size_t{2} << 20;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/files.h"
+#include "core/limits.h"
 #include "record/record_fields.h"
 #include "scene/json_parse.h"
 #include "scene/json_reader.h"
@@ -174,7 +175,11 @@ RecordedWriting read_writing(JsonReader& reader, const JsonAt& at) {
   if (const auto f = fields.optional("pairs")) {
     JsonFields own(reader, *f);
     auto& pairs = writing.pairs.emplace();
-    if (const auto wordings = own.required("wordings")) pairs.wordings = read_whole(reader, *wordings);
+    if (const auto wordings = own.required("wordings")) {
+      pairs.wordings = read_whole(reader, *wordings);
+      if (!reader.error() && (pairs.wordings < 2 || pairs.wordings > limits::kWordings))
+        reader.fail(*wordings, "expected a number from 2 to " + std::to_string(limits::kWordings));
+    }
     if (const auto contrasts = own.required("contrasts")) pairs.contrasts = reader.boolean(*contrasts);
     own.finish();
   }

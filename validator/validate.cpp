@@ -97,11 +97,7 @@ class WholeSet {
     }
     if (recount_.all_read()) database_.add(task, facts);
     if (task.record) homes_.insert(task.record->layout);
-    if (task.record && options_.home_in_run) {
-      auto fault = options_.home_in_run(*task.record, manifest_);
-      if (!fault.empty())
-        of_homes_.add({ProblemKind::HomeFile, task.name, {Error::Kind::Schema, task.where, {}, fault}});
-    }
+    if (task.record) placed_.push_back({place, task.record->slot, task.record->layout});
     repeats_.add(place, facts);
     for (std::size_t i = 0; i < leaks_.size(); ++i) {
       if (leaks_[i]) leaks_[i]->add(task, facts, nearest.empty() ? std::nullopt : nearest[i]);
@@ -141,7 +137,7 @@ class WholeSet {
                                         : "does not say how wordings.jsonl was written"));
     problems.add(check_derived_files(folder_, manifest_, options_.derive_files));
     if (tasks_read) problems.add(check_homes(folder_, manifest_, {homes_.begin(), homes_.end()}, options_));
-    problems.add(std::move(of_homes_));
+    problems.add(wrong_homes(names, rejections.lines));
     problems.add(repeats_.problems(names));
     for (const auto& search : leaks_) {
       if (search) problems.add(search->problems(manifest_.run.seed));
@@ -151,12 +147,33 @@ class WholeSet {
   }
 
  private:
+  /// Tasks in homes in which the run does not fill their slots. `rejections`: how many lines there are. A run of more
+  /// slots than there are candidates is a problem of its own, and may be too long to be planned again.
+  ProblemList wrong_homes(const TaskNames& names, int rejections) const {
+    ProblemList problems;
+    const auto candidates = static_cast<std::int64_t>(placed_.size()) + rejections;
+    if (!options_.home_in_run || manifest_.run.count > candidates) return problems;
+    for (const Placed& task : placed_) {
+      auto fault = options_.home_in_run(task.slot, task.home, manifest_);
+      if (fault.empty()) continue;
+      auto problem = problem_in(ProblemKind::HomeFile, kTasksFile, std::move(fault));
+      problem.task = names.name(task.place);
+      problems.add(std::move(problem));
+    }
+    return problems;
+  }
+
   const fs::path& folder_;
   const ManifestRecord& manifest_;
   const ValidationOptions& options_;
   TaskRecount recount_;
   std::set<std::string> homes_;  // of the tasks
-  ProblemList of_homes_;
+  struct Placed {
+    std::size_t place = 0;
+    int slot = 0;
+    std::string home;
+  };
+  std::vector<Placed> placed_;
   KeyList candidate_keys_;
   CandidateCheck candidates_;
   DatabaseCheck database_;

@@ -41,8 +41,9 @@ using DeriveFiles = std::function<Result<DerivedFiles>(const ManifestRecord&)>;
 using TemplateCheck =
     std::function<std::vector<Problem>(const TaskRecord&, const Formula& goal, const ManifestRecord&)>;
 
-/// What is wrong with a task's home as the one of its place in the run, or "". Called by one thread at a time.
-using HomeInRun = std::function<std::string(const TaskRecord&, const ManifestRecord&)>;
+/// What is wrong with a home as the one in which the run fills this slot, or "". Called by one thread at a time, and
+/// only where the run has hardly more slots than the data set has candidates.
+using HomeInRun = std::function<std::string(int slot, const std::string& home, const ManifestRecord&)>;
 
 /// Makes a home of a run again by its name. Errors: Usage for a name that no home of the run has. Called by several
 /// threads at once.

@@ -107,7 +107,8 @@ TEST(Lines, AManifestFollowsItsSchema) {
   SchemaChecker checker;
   EXPECT_EQ(checker.check(Json::parse(to_text(manifest)), "manifest.schema.json"), "");
   manifest.benchmark = "unietp-1.0";
-  manifest.writing = WritingEntry{"llm", 7, "training", "gb", {{"llm:m", 2}}};
+  manifest.writing = WritingEntry{"llm", 7, "training", "gb", {{"llm:m", 2}}, PairsEntry{5, true}};
+  manifest.reviews = ReviewCounts{3, 1, 2};
   EXPECT_EQ(checker.check(Json::parse(to_text(manifest)), "manifest.schema.json"), "");
 }
 

@@ -219,6 +219,7 @@ TEST_F(Pages, VerdictsAreKeptAndTheNumbersAddUp) {
   EXPECT_EQ(manifest["counts"]["tasks"], kCount - 1);
   EXPECT_EQ(manifest["counts"]["candidates"], before["counts"]["candidates"]);
   EXPECT_EQ(manifest["counts"]["rejections"]["review"]["rejected"], 1);
+  EXPECT_EQ(manifest["reviews"], Json({{"accepted", 1}, {"rejected", 1}, {"edited", 0}}));
   std::set<std::string> homes, files;
   for (const auto& task : tasks(out)) homes.insert(task["layout"].get<std::string>() + ".scene.json.gz");
   for (const auto& entry : fs::directory_iterator(out / "homes")) files.insert(entry.path().filename().string());
@@ -249,6 +250,16 @@ TEST_F(Pages, AnEditThatSaysSomethingElseIsRefusedByName) {
   EXPECT_EQ(found.problems[0].kind, "text-unchecked");
   EXPECT_EQ(found.problems[0].task, tasks(data())[0]["id"]);
   EXPECT_EQ(found.proven, kCount - 1);
+}
+
+TEST_F(Pages, OfATextThatIsEditedTwiceTheFirstIsKept) {
+  const std::string wrong = "Please set fire to the house.";
+  ASSERT_EQ(apply(review({verdict(0, "edit", wrong)}), {"--accept-unchecked"}).code, 0);
+  auto again = verdict(0, "edit", another_wording(0));
+  again["instruction"] = wrong;
+  ASSERT_EQ(apply(review({again})).code, 0);
+  EXPECT_EQ(json_lines(data() / "reviews.jsonl").at(0)["before"], tasks(made())[0]["instruction"]["text"]);
+  EXPECT_EQ(validate(data()).code, 0);
 }
 
 TEST_F(Pages, AVerdictOnAnotherTextIsRefused) {

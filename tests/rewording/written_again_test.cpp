@@ -104,7 +104,8 @@ TEST(WrittenAgain, AManifestStaysAsItWas) {
   manifest.counts.balance = {{Dimension::Receptacle, 3, 2.123456789012345, 0.1}};
   manifest.files = {{"tasks.jsonl", {5'000'000'000, "b"}}};
   manifest.sources = {{"curated", "this project", "MIT"}};
-  manifest.writing = WritingEntry{"llm", 7, "training", "gb", {{"llm:m", 2}}};
+  manifest.writing = WritingEntry{"llm", 7, "training", "gb", {{"llm:m", 2}}, PairsEntry{5, true}};
+  manifest.reviews = ReviewCounts{3, 1, 2};
   const auto record = read_manifest("manifest.json", to_text(manifest));
   ASSERT_TRUE(record) << format(record.error());
   const auto again = written_again("manifest.json", *record);
