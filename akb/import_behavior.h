@@ -37,6 +37,10 @@ struct Facts {
   std::set<std::string> denied;  // affordances that annotations give its synset and our own list says it lacks
 };
 
+/// Whether OmniGibson opens it: a model has a joint and the synset is annotated as openable. A wardrobe or a freezer is
+/// not, though a model of it has doors, so that BEHAVIOR's tasks put things into it as into a shelf.
+bool opens(const Facts& facts);
+
 /// All that the files of BEHAVIOR say.
 struct Metadata {
   std::map<std::string, Facts> categories;      // all that are objects

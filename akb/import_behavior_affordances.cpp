@@ -26,6 +26,12 @@ bool is_sold_full(const std::string& name) {
   return std::find(kFilled.begin(), kFilled.end(), name.substr(0, mark)) == kFilled.end();
 }
 
+}  // namespace
+
+bool opens(const Facts& facts) { return facts.links.contains("joint") && facts.properties.contains("openable"); }
+
+namespace {
+
 void add_of(TableBuilder& builder, const std::string& name, const Facts& f, bool sliced) {
   static const std::map<std::string, std::string> kProperties{
       {"cookable", "cookable"},      {"breakable", "breakable"}, {"heatSource", "heat_source"},
@@ -35,7 +41,7 @@ void add_of(TableBuilder& builder, const std::string& name, const Facts& f, bool
     if (!f.denied.contains(affordance)) builder.afford(name, affordance, source, confidence);
   };
   if (c.movable) builder.afford(name, "pickupable", "derived:not-scene-object", 0.9);
-  if (has_door(c.archetype) && f.links.contains("joint")) {
+  if (has_door(c.archetype) && opens(f)) {
     builder.afford(name, "openable", kInventory, 1);
     if (c.archetype == Archetype::Drawers) builder.afford(name, "container", kInventory, 0.9);
   }

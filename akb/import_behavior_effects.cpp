@@ -21,7 +21,22 @@ std::vector<EffectNeed> needs_of(const Json& source) {
   return needs;
 }
 
-void add_heat(TableBuilder& builder, const std::string& tool, const Json& source) {
+/// The temperature at which a thing cooks, in °C; 0 for one that does not.
+double cooked_at(const Metadata& metadata, const Json& annotations, const std::string& target) {
+  const auto& synset = metadata.categories.at(target).synset;
+  if (!annotations.contains(synset) || !annotations.at(synset).contains("cookable")) return 0;
+  return annotations.at(synset).at("cookable").value("cook_temperature", 0.0);
+}
+
+/// How warm things get at a source at last, in °C: OmniGibson lets them lose heat to the room.
+double warmed_to(const Json& source) {
+  constexpr double kRoom_C = 23, kLoss_per_s = 0.02;  // OmniGibson 1.1.1, object_states/temperature.py
+  const double rate = source.value("heating_rate", 0.0);
+  return (source.value("temperature", 0.0) * rate + kRoom_C * kLoss_per_s) / (rate + kLoss_per_s);
+}
+
+void add_heat(TableBuilder& builder, const Metadata& metadata, const Json& annotations, const std::string& tool,
+              const Json& source) {
   if (!builder.is_kind(tool, KindGroup::Heater) || !builder.has(tool, "switchable")) return;
   const bool flame = builder.is_kind(tool, "stove");
   const auto ware = flame                                ? KindGroup::StoveWare
@@ -37,7 +52,8 @@ void add_heat(TableBuilder& builder, const std::string& tool, const Json& source
     if (burns) add(Treatment::Burns);
     const bool suits = builder.is_kind(target, KindGroup::Food) || builder.is_kind(target, ware);
     if (!burns && suits && builder.has(target, "heatable")) add(Treatment::Heats);
-    if (!flame && builder.has(target, "cookable")) add(Treatment::Cooks);
+    const bool cooks = builder.has(target, "cookable") && warmed_to(source) >= cooked_at(metadata, annotations, target);
+    if (!flame && cooks) add(Treatment::Cooks);
   }
 }
 
@@ -60,7 +76,7 @@ void add_temperature(TableBuilder& builder, const Metadata& metadata, const Json
     const auto& synset = metadata.categories.at(tool).synset;
     if (!annotations.contains(synset) || !in_homes(builder, tool)) continue;
     const auto& properties = annotations.at(synset);
-    if (properties.contains("heatSource")) add_heat(builder, tool, properties.at("heatSource"));
+    if (properties.contains("heatSource")) add_heat(builder, metadata, annotations, tool, properties.at("heatSource"));
     if (properties.contains("coldSource")) add_cold(builder, tool, properties.at("coldSource"));
   }
 }

@@ -188,7 +188,9 @@ Word Words::word(const std::string& name) const {
     if (!eaten) word.kind = "store";
   }
   auto wanted = archetype_named(cell(name, "archetype")).value_or(Archetype::Box);
-  if (wanted == Archetype::Lidded && !facts.links.contains("joint")) wanted = Archetype::Vessel;  // its lid is loose
+  if (wanted == Archetype::Lidded && !opens(facts)) {  // its lid is loose, or on a hinge that does not turn
+    wanted = facts.links.contains("joint") ? Archetype::Box : Archetype::Vessel;
+  }
   const Body body = body_of(facts, wanted);
   c.archetype = body.archetype;
   c.size = body.size;
