@@ -54,7 +54,7 @@ TEST(TemplateShow, TellsTheGoalInWordsAndWhatMayFillIt) {
   EXPECT_EQ(ended.code, 0) << ended.err;
   for (const char* part : {"two <A>", "<C> furniture container: a category that cannot be moved; objects go into it",
                            "every <A> is inside no <C>", "behavior: more than 5000 bindings",
-                           "such as A=", "Put two {A:plural} and {B:indefinite} {C:into}."}) {
+                           "such as A=", "Put a couple of {A:plural} and {B:indefinite} {C:into}."}) {
     EXPECT_THAT(ended.out, HasSubstr(part));
   }
 }

@@ -31,11 +31,11 @@ TEST(Library, NoTwoTemplatesAskForTheSame) {
   }
 }
 
-TEST(Library, EveryPhrasingIsUsedOnce) {
-  std::set<std::string> seen;
+TEST(Library, ATemplateSaysItsGoalInPhrasingsThatDiffer) {
   for (const auto& t : library().templates) {
-    EXPECT_GE(t.instructions.size(), 3U) << t.name;
-    for (const auto& text : t.instructions) EXPECT_TRUE(seen.insert(text).second) << t.name << ": " << text;
+    EXPECT_GE(t.instructions.size(), 1U) << t.name;
+    EXPECT_EQ(std::set<std::string>(t.instructions.begin(), t.instructions.end()).size(), t.instructions.size())
+        << t.name;
   }
 }
 
