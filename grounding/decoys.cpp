@@ -18,10 +18,13 @@ namespace unietp {
 namespace {
 
 constexpr int kTriesPerDecoy = 4, kTriesPerMoved = 3, kTriesPerRestated = 6;
-constexpr std::size_t kMostAdded = 20;  // to one start
+constexpr std::size_t kMostAdded = 14;  // to one start
 constexpr int kLeastDecoys = 4;         // for each category that was added to, also at unusual places
 constexpr std::size_t kMostMoved = 24;
 constexpr std::size_t kMostRestated = 15;
+constexpr int kMostOfOne = 2;    // things of a category of which homes do not have several: moved, restated, at a place
+constexpr int kMostAtOne = 4;    // things that come to one place: a table is not a shop
+constexpr int kMostAlikeAt = 3;  // of a category of which homes have several
 
 /// All that a category is called or stands for in texts.
 std::vector<std::string_view> names_of(const Category& category, const Knowledge& knowledge) {
@@ -226,13 +229,49 @@ class Decoys {
       if (left == 0 || tries == 0 || added_ + models.size() > kMostAdded) break;
       const bool suits =
           std::all_of(models.begin(), models.end(), [&](const Added& one) { return is_kept_in(*category, one.room); });
-      if (!suits || is_spoken_of(*category)) continue;
+      if (!suits || is_spoken_of(*category) || !may_be_so_many(*category, models.size())) continue;
       --tries;
       if (!add_like_each(*category, models)) continue;
       --left;
       spoken_.insert(category->name);  // each once
     }
     return wanted - left;
+  }
+
+  /// Whether a home may come to have that many more of a category: three kettles are odd, three forks are not.
+  bool may_be_so_many(const Category& category, std::size_t more) const {
+    const auto* household = editor_.workspace().household();
+    return household == nullptr || household->has_several(category.name) ||
+           number_in_home(category.name) + more <= kMostOfOne;
+  }
+
+  /// Whether another thing of the category may come to a place: no crowd of things, no row of one kind, nothing on or
+  /// in what the task is about or on a dish with something else.
+  bool has_room_for(const Category& category, const Node& host) {
+    const auto* household = workspace().household();
+    if (household == nullptr) return true;
+    if (host.movable && spoken_.contains(host.category)) return false;
+    const auto carried = workspace().carried_by(*workspace().places().find(host.id));
+    const auto is_other = [&](const std::string& id) {
+      return workspace().scene().nodes[*workspace().places().find(id)].category != category.name;
+    };
+    const bool is_dish = household->is_a(host.category, "tableware") || household->is_a(host.category, "cookware") ||
+                         household->is_a(host.category, "food_box");
+    if (is_dish && std::any_of(carried.begin(), carried.end(), is_other)) return false;
+    int came = 0, alike = 0;
+    for (const std::string& id : carried) {
+      const Node& node = workspace().scene().nodes[*workspace().places().find(id)];
+      const auto before = home_.places.find(id);
+      if (!before || home_.scene.nodes[*before].pose.position != node.pose.position) ++came;
+      if (node.category == category.name) ++alike;
+    }
+    return came < kMostAtOne && alike < (household->has_several(category.name) ? kMostAlikeAt : 1);
+  }
+
+  /// Whether as many things of a category were changed alike as may be without catching the eye.
+  bool is_enough(const std::string& category, int changed) const {
+    const auto* household = editor_.workspace().household();
+    return household != nullptr && changed >= (household->has_several(category) ? 2 * kMostOfOne : kMostOfOne);
   }
 
   /// Whether homes have such things in the room.
@@ -264,10 +303,13 @@ class Decoys {
     std::stable_sort(ids.begin(), ids.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     int left = kMovedDecoys, tries = kTriesPerMoved * kMovedDecoys;
     for (const auto& [unlike, id] : ids) {
+      const std::string& category = home_.scene.nodes[*home_.places.find(id)].category;
+      if (is_enough(category, moved_of_[category])) continue;
       if (left == 0 || tries-- == 0 || moved_ == kMostMoved) break;
       const bool strays_elsewhere = is_stray && unlike.first;
       if (!(strays_elsewhere ? move_astray(id) : move_into(id, room))) continue;
       ++moved_;
+      ++moved_of_[category];
       --left;
     }
   }
@@ -319,6 +361,8 @@ class Decoys {
     int left = kRestatedDecoys, tries = kTriesPerRestated * kRestatedDecoys;
     for (const auto& [gap, id] : ids) {
       if (left == 0 || tries == 0 || restated_ == kMostRestated) break;
+      const std::string& category = home_.scene.nodes[*home_.places.find(id)].category;
+      if (is_enough(category, restated_of_[category])) continue;
       const Node before = workspace().scene().nodes[*workspace().places().find(id)];
       if (!editor_.set_state(id, state.predicate, state.symbol, true)) continue;
       --tries;
@@ -326,6 +370,7 @@ class Decoys {
         given_states_.insert(id);
         give_states(id, given.all, nullptr);
         ++restated_;
+        ++restated_of_[category];
         --left;
       } else {
         editor_.replace(before);
@@ -424,7 +469,7 @@ class Decoys {
   /// Whether a receptacle is in the room, usual if it has to be, and not where this task or one for the thing puts
   /// things.
   bool may_hold(const Node& host, const Category& category, const Added& model, const std::string& wanted) {
-    return host.category != wanted && !places_.contains(host.category) &&
+    return host.category != wanted && !places_.contains(host.category) && has_room_for(category, host) &&
            (model.room == nullptr || workspace().room_of(*workspace().places().find(host.id)) == model.room) &&
            (model.unusual || is_usual_at(category, host.category));
   }
@@ -434,7 +479,8 @@ class Decoys {
     return [this, &category, model, wanted = std::move(wanted)](const Node& host) {
       const auto* household = workspace().household();
       const bool heats = household != nullptr && household->passes(host.category) && !household->washes(host.category);
-      const bool suits = host.movable || model.unusual || !sliced_.contains(category.name);
+      const bool holds_slices = host.movable && (household == nullptr || !household->is_a(host.category, "cookware"));
+      const bool suits = holds_slices || !sliced_.contains(category.name);
       return may_hold(host, category, model, wanted) && !heats && suits;
     };
   }
@@ -463,6 +509,7 @@ class Decoys {
   std::set<std::string> places_;                         // categories of places that the goal names
   std::map<std::string_view, std::string_view> sliced_;  // categories that only slicing makes: of what
   std::set<std::string> given_states_;                   // ids of things that were given a state for that
+  std::map<std::string, int> moved_of_, restated_of_;    // of a category
   std::size_t added_ = 0, moved_ = 0, restated_ = 0;
 };
 
