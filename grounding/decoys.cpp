@@ -1,7 +1,6 @@
 #include "grounding/decoys.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <functional>
 #include <map>
@@ -12,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "grounding/crowding.h"
 #include "grounding/likelihood.h"
 
 namespace unietp {
@@ -22,9 +22,6 @@ constexpr std::size_t kMostAdded = 14;  // to one start
 constexpr int kLeastDecoys = 4;         // for each category that was added to, also at unusual places
 constexpr std::size_t kMostMoved = 24;
 constexpr std::size_t kMostRestated = 15;
-constexpr int kMostOfOne = 2;    // things of a category of which homes do not have several: moved, restated, at a place
-constexpr int kMostAtOne = 4;    // things that come to one place: a table is not a shop
-constexpr int kMostAlikeAt = 3;  // of a category of which homes have several
 
 /// All that a category is called or stands for in texts.
 std::vector<std::string_view> names_of(const Category& category, const Knowledge& knowledge) {
@@ -38,14 +35,6 @@ std::vector<std::string_view> names_of(const Category& category, const Knowledge
 /// "Table" may mean a coffee table.
 bool may_mean(std::string_view name, std::string_view other) {
   return other.ends_with(name) && (other.size() == name.size() || other[other.size() - name.size() - 1] == ' ');
-}
-
-/// Whether other things may be in a state as well. How warm things are follows from where they are; nothing is left
-/// running, broken or cut up for no reason.
-bool may_be_common(const State& state) {
-  using enum Predicate;
-  constexpr std::array kNever{Hot, Cool, RoomTemperature, Frozen, Thawed, PowerOn, Broken, Sliced, Burnt};
-  return std::find(kNever.begin(), kNever.end(), state.predicate) == kNever.end();
 }
 
 /// A thing that a start added: its room or nullptr, what it is on or in, and whether others may be at unusual places.
@@ -229,49 +218,15 @@ class Decoys {
       if (left == 0 || tries == 0 || added_ + models.size() > kMostAdded) break;
       const bool suits =
           std::all_of(models.begin(), models.end(), [&](const Added& one) { return is_kept_in(*category, one.room); });
-      if (!suits || is_spoken_of(*category) || !may_be_so_many(*category, models.size())) continue;
+      if (!suits || is_spoken_of(*category) ||
+          !may_be_so_many(workspace(), number_in_home(category->name), models.size(), category->name))
+        continue;
       --tries;
       if (!add_like_each(*category, models)) continue;
       --left;
       spoken_.insert(category->name);  // each once
     }
     return wanted - left;
-  }
-
-  /// Whether a home may come to have that many more of a category: three kettles are odd, three forks are not.
-  bool may_be_so_many(const Category& category, std::size_t more) const {
-    const auto* household = editor_.workspace().household();
-    return household == nullptr || household->has_several(category.name) ||
-           number_in_home(category.name) + more <= kMostOfOne;
-  }
-
-  /// Whether another thing of the category may come to a place: no crowd of things, no row of one kind, nothing on or
-  /// in what the task is about or on a dish with something else.
-  bool has_room_for(const Category& category, const Node& host) {
-    const auto* household = workspace().household();
-    if (household == nullptr) return true;
-    if (host.movable && spoken_.contains(host.category)) return false;
-    const auto carried = workspace().carried_by(*workspace().places().find(host.id));
-    const auto is_other = [&](const std::string& id) {
-      return workspace().scene().nodes[*workspace().places().find(id)].category != category.name;
-    };
-    const bool is_dish = household->is_a(host.category, "tableware") || household->is_a(host.category, "cookware") ||
-                         household->is_a(host.category, "food_box");
-    if (is_dish && std::any_of(carried.begin(), carried.end(), is_other)) return false;
-    int came = 0, alike = 0;
-    for (const std::string& id : carried) {
-      const Node& node = workspace().scene().nodes[*workspace().places().find(id)];
-      const auto before = home_.places.find(id);
-      if (!before || home_.scene.nodes[*before].pose.position != node.pose.position) ++came;
-      if (node.category == category.name) ++alike;
-    }
-    return came < kMostAtOne && alike < (household->has_several(category.name) ? kMostAlikeAt : 1);
-  }
-
-  /// Whether as many things of a category were changed alike as may be without catching the eye.
-  bool is_enough(const std::string& category, int changed) const {
-    const auto* household = editor_.workspace().household();
-    return household != nullptr && changed >= (household->has_several(category) ? 2 * kMostOfOne : kMostOfOne);
   }
 
   /// Whether homes have such things in the room.
@@ -304,7 +259,7 @@ class Decoys {
     int left = kMovedDecoys, tries = kTriesPerMoved * kMovedDecoys;
     for (const auto& [unlike, id] : ids) {
       const std::string& category = home_.scene.nodes[*home_.places.find(id)].category;
-      if (is_enough(category, moved_of_[category])) continue;
+      if (is_enough(workspace(), category, moved_of_[category])) continue;
       if (left == 0 || tries-- == 0 || moved_ == kMostMoved) break;
       const bool strays_elsewhere = is_stray && unlike.first;
       if (!(strays_elsewhere ? move_astray(id) : move_into(id, room))) continue;
@@ -362,7 +317,7 @@ class Decoys {
     for (const auto& [gap, id] : ids) {
       if (left == 0 || tries == 0 || restated_ == kMostRestated) break;
       const std::string& category = home_.scene.nodes[*home_.places.find(id)].category;
-      if (is_enough(category, restated_of_[category])) continue;
+      if (is_enough(workspace(), category, restated_of_[category])) continue;
       const Node before = workspace().scene().nodes[*workspace().places().find(id)];
       if (!editor_.set_state(id, state.predicate, state.symbol, true)) continue;
       --tries;
@@ -469,7 +424,8 @@ class Decoys {
   /// Whether a receptacle is in the room, usual if it has to be, and not where this task or one for the thing puts
   /// things.
   bool may_hold(const Node& host, const Category& category, const Added& model, const std::string& wanted) {
-    return host.category != wanted && !places_.contains(host.category) && has_room_for(category, host) &&
+    return host.category != wanted && !places_.contains(host.category) &&
+           !(host.movable && spoken_.contains(host.category)) && has_room_for(workspace(), category.name, host) &&
            (model.room == nullptr || workspace().room_of(*workspace().places().find(host.id)) == model.room) &&
            (model.unusual || is_usual_at(category, host.category));
   }
