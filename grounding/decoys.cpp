@@ -1,7 +1,6 @@
 #include "grounding/decoys.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <functional>
 #include <map>
@@ -12,13 +11,14 @@
 #include <utility>
 #include <vector>
 
+#include "grounding/crowding.h"
 #include "grounding/likelihood.h"
 
 namespace unietp {
 namespace {
 
 constexpr int kTriesPerDecoy = 4, kTriesPerMoved = 3, kTriesPerRestated = 6;
-constexpr std::size_t kMostAdded = 20;  // to one start
+constexpr std::size_t kMostAdded = 14;  // to one start
 constexpr int kLeastDecoys = 4;         // for each category that was added to, also at unusual places
 constexpr std::size_t kMostMoved = 24;
 constexpr std::size_t kMostRestated = 15;
@@ -35,14 +35,6 @@ std::vector<std::string_view> names_of(const Category& category, const Knowledge
 /// "Table" may mean a coffee table.
 bool may_mean(std::string_view name, std::string_view other) {
   return other.ends_with(name) && (other.size() == name.size() || other[other.size() - name.size() - 1] == ' ');
-}
-
-/// Whether other things may be in a state as well. How warm things are follows from where they are; nothing is left
-/// running, broken or cut up for no reason.
-bool may_be_common(const State& state) {
-  using enum Predicate;
-  constexpr std::array kNever{Hot, Cool, RoomTemperature, Frozen, Thawed, PowerOn, Broken, Sliced, Burnt};
-  return std::find(kNever.begin(), kNever.end(), state.predicate) == kNever.end();
 }
 
 /// A thing that a start added: its room or nullptr, what it is on or in, and whether others may be at unusual places.
@@ -226,7 +218,9 @@ class Decoys {
       if (left == 0 || tries == 0 || added_ + models.size() > kMostAdded) break;
       const bool suits =
           std::all_of(models.begin(), models.end(), [&](const Added& one) { return is_kept_in(*category, one.room); });
-      if (!suits || is_spoken_of(*category)) continue;
+      if (!suits || is_spoken_of(*category) ||
+          !may_be_so_many(workspace(), number_in_home(category->name), models.size(), category->name))
+        continue;
       --tries;
       if (!add_like_each(*category, models)) continue;
       --left;
@@ -264,10 +258,13 @@ class Decoys {
     std::stable_sort(ids.begin(), ids.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     int left = kMovedDecoys, tries = kTriesPerMoved * kMovedDecoys;
     for (const auto& [unlike, id] : ids) {
+      const std::string& category = home_.scene.nodes[*home_.places.find(id)].category;
+      if (is_enough(workspace(), category, moved_of_[category])) continue;
       if (left == 0 || tries-- == 0 || moved_ == kMostMoved) break;
       const bool strays_elsewhere = is_stray && unlike.first;
       if (!(strays_elsewhere ? move_astray(id) : move_into(id, room))) continue;
       ++moved_;
+      ++moved_of_[category];
       --left;
     }
   }
@@ -319,6 +316,8 @@ class Decoys {
     int left = kRestatedDecoys, tries = kTriesPerRestated * kRestatedDecoys;
     for (const auto& [gap, id] : ids) {
       if (left == 0 || tries == 0 || restated_ == kMostRestated) break;
+      const std::string& category = home_.scene.nodes[*home_.places.find(id)].category;
+      if (is_enough(workspace(), category, restated_of_[category])) continue;
       const Node before = workspace().scene().nodes[*workspace().places().find(id)];
       if (!editor_.set_state(id, state.predicate, state.symbol, true)) continue;
       --tries;
@@ -326,6 +325,7 @@ class Decoys {
         given_states_.insert(id);
         give_states(id, given.all, nullptr);
         ++restated_;
+        ++restated_of_[category];
         --left;
       } else {
         editor_.replace(before);
@@ -425,6 +425,7 @@ class Decoys {
   /// things.
   bool may_hold(const Node& host, const Category& category, const Added& model, const std::string& wanted) {
     return host.category != wanted && !places_.contains(host.category) &&
+           !(host.movable && spoken_.contains(host.category)) && has_room_for(workspace(), category.name, host) &&
            (model.room == nullptr || workspace().room_of(*workspace().places().find(host.id)) == model.room) &&
            (model.unusual || is_usual_at(category, host.category));
   }
@@ -434,7 +435,8 @@ class Decoys {
     return [this, &category, model, wanted = std::move(wanted)](const Node& host) {
       const auto* household = workspace().household();
       const bool heats = household != nullptr && household->passes(host.category) && !household->washes(host.category);
-      const bool suits = host.movable || model.unusual || !sliced_.contains(category.name);
+      const bool holds_slices = host.movable && (household == nullptr || !household->is_a(host.category, "cookware"));
+      const bool suits = holds_slices || !sliced_.contains(category.name);
       return may_hold(host, category, model, wanted) && !heats && suits;
     };
   }
@@ -463,6 +465,7 @@ class Decoys {
   std::set<std::string> places_;                         // categories of places that the goal names
   std::map<std::string_view, std::string_view> sliced_;  // categories that only slicing makes: of what
   std::set<std::string> given_states_;                   // ids of things that were given a state for that
+  std::map<std::string, int> moved_of_, restated_of_;    // of a category
   std::size_t added_ = 0, moved_ = 0, restated_ = 0;
 };
 

@@ -26,8 +26,11 @@ namespace unietp {
 /// usual ones of their category, that a task for them could have named. Nothing of a category that the task speaks of
 /// is added or moved, and nothing is added that its words could mean. What is added or moved comes to where such things
 /// usually are, unless it is to be in a room where homes do not have them, or few are in a state that it is to be in at
-/// such places; nothing stays where it would be senseless. Deterministic. How many things were added, moved or given a
-/// state.
+/// such places; nothing stays where it would be senseless. At most four come to one place, of which one is of a
+/// category that homes do not have several of (Household::has_several) and three are of another; nothing comes to a
+/// dish that holds something else, or on or in a movable thing that the task speaks of; of a category that homes do not
+/// have several of, a home comes to have at most two, and at most two are moved or given a state, else four.
+/// Deterministic. How many things were added, moved or given a state.
 int add_decoys(SceneEditor& editor, const Specification& specification, const Home& home, Rng rng);
 
 /// Categories for each one of the goal that was added to or that the home has several of.

@@ -41,20 +41,31 @@ Household::Household(const Knowledge& knowledge, const CommonSense& sense, Start
         if (kinds_.is_a(fact->kind, apart[rule].second)) apart_[category.name].second.push_back(rule);
       }
       if (sense.used_for(fact->kind, PlaceUse::PutAway)) put_away_.insert(category.name);
+      if (sense.used_for(fact->kind, PlaceUse::OwnRooms)) own_rooms_.insert(category.name);
       if (sense.used_for(fact->kind, PlaceUse::DirtyOrNot)) washing_.insert(category.name);
       if (sense.used_for(fact->kind, PlaceUse::Passing)) passing_.insert(category.name);
     }
     if (!category.movable) continue;
     found_in_[category.name].insert(category.rooms.begin(), category.rooms.end());
-    if (const auto kind = kind_of(category.name); !kind.empty() && !rooms_.contains(kind)) {
-      auto& suits = rooms_[std::string(kind)];
+    const auto suit = [&](const std::string& key, const Thing& thing) {
+      auto& suits = rooms_[key];
       for (const auto& type : room_types) {
-        const double score = sense.grade({std::string(kind), {}, {}}, "in_room:" + type).score;
-        suits[type] = score * score;
+        const auto graded = sense.grade(thing, "in_room:" + type);
+        suits[type] = graded.grade == Grade::Senseless ? 0 : graded.score * graded.score;
       }
-      const Sense lying = sense.grade({std::string(kind), {}, {}}, "on:floor");
-      const bool toy = kinds_.is_a(kind, "toy") && !kinds_.is_a(kind, "game");
-      on_floor_[std::string(kind)] = lying.grade == Grade::Usual || toy ? lying.score : 0;
+    };
+    const auto lies = [&](const std::string& key, const Thing& thing) {
+      const Sense lying = sense.grade(thing, "on:floor");
+      const bool toy = kinds_.is_a(thing.kind, "toy") && !kinds_.is_a(thing.kind, "game");
+      on_floor_[key] = lying.grade == Grade::Usual || (toy && lying.grade != Grade::Senseless) ? lying.score : 0;
+    };
+    if (!kind_of(category.name).empty() && sense.has_rule_on_name(category.display)) {
+      suit(category.name, thing_of(category));
+      lies(category.name, thing_of(category));
+    }
+    if (const auto kind = kind_of(category.name); !kind.empty() && !rooms_.contains(kind)) {
+      suit(std::string(kind), {std::string(kind), {}, {}});
+      lies(std::string(kind), {std::string(kind), {}, {}});
     }
     const auto& all = usual.of(category.name);
     if (all.empty()) continue;
@@ -105,7 +116,8 @@ const Household::Place* Household::place(std::string_view category, Predicate re
 }
 
 double Household::in_room(std::string_view category, std::string_view room) const {
-  const auto kind = rooms_.find(kind_of(category));
+  auto kind = rooms_.find(category);
+  if (kind == rooms_.end()) kind = rooms_.find(kind_of(category));
   if (kind == rooms_.end()) return 1;
   const auto suits = kind->second.find(room);
   return suits == kind->second.end() ? 1 : suits->second;
@@ -121,7 +133,13 @@ bool Household::is_found_in(std::string_view category, std::string_view room) co
 }
 
 bool Household::keeps(std::string_view category, std::string_view receptacle, std::string_view room) const {
-  return put_away_.contains(receptacle) ? is_usual_in(category, room) : in_room(category, room) >= kNoRoom;
+  const bool own_room = put_away_.contains(receptacle) || own_rooms_.contains(receptacle);
+  return own_room ? is_usual_in(category, room) : in_room(category, room) >= kNoRoom;
+}
+
+bool Household::has_several(std::string_view category) const {
+  const auto lineage = kinds_.lineage(kind_of(category));
+  return std::any_of(lineage.begin(), lineage.end(), [](const Kind* kind) { return kind->several; });
 }
 
 bool Household::is_personal(std::string_view category) const {
@@ -130,7 +148,8 @@ bool Household::is_personal(std::string_view category) const {
 }
 
 double Household::on_floor(std::string_view category) const {
-  const auto found = on_floor_.find(kind_of(category));
+  auto found = on_floor_.find(category);
+  if (found == on_floor_.end()) found = on_floor_.find(kind_of(category));
   return found == on_floor_.end() ? 0 : found->second;
 }
 

@@ -48,7 +48,8 @@ class Household {
   bool is_found_in(std::string_view category, std::string_view room) const;
   void note_room(const std::string& category, const std::string& room) { found_in_[category].insert(room); }
   /// Whether things of the category are kept on or in a receptacle that stands in such a room. What stands about is in
-  /// any room that suits it at times; into places of PlaceUse::PutAway it goes only in rooms where it usually is.
+  /// any room that suits it at times; into places of PlaceUse::PutAway it goes only in rooms where it usually is, and
+  /// so it does into those of PlaceUse::OwnRooms.
   bool keeps(std::string_view category, std::string_view receptacle, std::string_view room) const;
   /// Whether things are put away on or in such a receptacle (PlaceUse::PutAway), and whether they go into it to be
   /// washed or thrown away (PlaceUse::DirtyOrNot).
@@ -56,6 +57,10 @@ class Household {
   bool washes(std::string_view receptacle) const { return washing_.contains(receptacle); }
   /// Whether tasks put things on or into such a receptacle though nobody keeps them there (PlaceUse::Passing).
   bool passes(std::string_view receptacle) const { return passing_.contains(receptacle); }
+  /// Whether homes have several things of the category alike (Kind::several): spoons, apples, books.
+  bool has_several(std::string_view category) const;
+  /// Whether the category is of a kind, or of a narrower one.
+  bool is_a(std::string_view category, std::string_view kind) const { return kinds_.is_a(kind_of(category), kind); }
   /// Whether each thing of the category belongs to somebody (Kind::personal).
   bool is_personal(std::string_view category) const;
   /// Whether the name of a category is a generic word that could mean a thing of the other: "fruit" an apple.
@@ -90,13 +95,16 @@ class Household {
   std::map<std::string, Rules, std::less<>> apart_;       // by category; of those that a rule speaks of
   std::map<std::string, std::string, std::less<>> kind_;  // by category
   std::set<std::string, std::less<>> put_away_;           // receptacles of PlaceUse::PutAway
+  std::set<std::string, std::less<>> own_rooms_;          // receptacles of PlaceUse::OwnRooms
   std::set<std::string, std::less<>> washing_;            // receptacles of PlaceUse::DirtyOrNot
   std::set<std::string, std::less<>> passing_;            // receptacles of PlaceUse::Passing
   std::map<std::string, std::vector<Place>, std::less<>> places_;
-  std::map<std::string, std::map<std::string, double, std::less<>>, std::less<>> rooms_;  // by kind, then type of room
+  std::map<std::string, std::map<std::string, double, std::less<>>, std::less<>>
+      rooms_;  // by kind, or by
+               // category where a rule names it, then type of room
   std::map<std::string, std::set<std::string>, std::less<>>
       covered_by_name_;                                  // by a category with a generic name: others
-  std::map<std::string, double, std::less<>> on_floor_;  // by kind
+  std::map<std::string, double, std::less<>> on_floor_;  // by kind, or by category
   std::map<std::string, std::set<std::string, std::less<>>, std::less<>> found_in_;  // rooms of a movable category
 };
 

@@ -224,19 +224,22 @@ class Scatterer {
                        [&](std::string_view other) { return workspace_.household()->clash(category, other); });
   }
 
-  /// Nothing where the room has none of the usual places of what has such places, unless real homes have it there.
+  /// Where the room has one of the usual places of a category, only these; where it has none of what has such places
+  /// elsewhere, nothing, unless real homes have it there.
   void add_usual_hosts(std::size_t room, const PlacementRequest& request, std::vector<Host>& hosts) const {
     const auto& places = workspace_.household()->places_of(request.category->name);
     const auto is_usual = [](const Household::Place& place) { return place.usual; };
-    const auto is_here = [&](const Household::Place& place) { return rooms_[room].contains(place.receptacle); };
-    const bool some = !request.of_rule && std::any_of(places.begin(), places.end(), is_usual);
-    if (some &&
-        std::none_of(places.begin(), places.end(), [&](const auto& one) { return is_usual(one) && is_here(one); }))
-      return;
-    const double here = request.room ? 1 : in_room(room, *request.category);
+    const bool some = std::any_of(places.begin(), places.end(), is_usual);
+    const bool here = std::any_of(places.begin(), places.end(), [&](const Household::Place& place) {
+      return is_usual(place) && rooms_[room].contains(place.receptacle);
+    });
+    if (some && !here && !request.of_rule) return;
+    const double suits_it = request.room ? 1 : in_room(room, *request.category);
     const auto& name = request.category->name;
-    for (const auto& place : places)
-      add_hosts(room, name, place.receptacle, place.relation, place.weight * here, hosts);
+    for (const auto& place : places) {
+      if (!here || is_usual(place))
+        add_hosts(room, name, place.receptacle, place.relation, place.weight * suits_it, hosts);
+    }
   }
 
   bool keeps(std::size_t room, const std::string& category, const std::string& receptacle) const {

@@ -79,6 +79,7 @@ CategoryWeight weight_in(const Layout& layout, const Template& source, Split spl
     const auto dimension = dimensions[at];
     double own = counts.weight(dimension, prefix + category);
     if (is_value(parameter)) return own;
+    if (dimension == Dimension::Category) own *= own;  // few things suit many templates, and these would be everywhere
     if (dimension == Dimension::Room) {
       const auto& all = layout.home.scene.rooms;
       const auto of_type = std::count_if(all.begin(), all.end(), [&](const Room& one) { return one.type == category; });

@@ -121,6 +121,27 @@ TEST_F(QuotaRun, RefusesWhatIsNoPartAndMorePartsThanBlocks) {
   EXPECT_THAT(many.err, HasSubstr("has 3 blocks"));
 }
 
+/// The grades of 12 tasks that `generate` makes of templates whose categories people seldom bring together.
+std::map<std::string, int> grades_with(const ScratchFolder& scratch, const std::string& sense) {
+  const auto ended = run_program({"generate", "--count", "12", "--seed", "3", "--modes", "M1", "--simulators",
+                                  "behavior", "--sense", sense, "--out", scratch.at(sense)});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(run_program({"validate", scratch.at(sense)}).code, 0);
+  std::map<std::string, int> grades;
+  for (const auto& task : json_lines(scratch.path() / sense / "tasks.jsonl")) ++grades[task["sense"]["grade"]];
+  return grades;
+}
+
+TEST(Sense, OfTheTasksIsAtLeastWhatIsAskedFor) {
+  const ScratchFolder scratch;
+  const auto usual = grades_with(scratch, "usual"), tolerable = grades_with(scratch, "tolerable"),
+             any = grades_with(scratch, "any");
+  EXPECT_EQ(usual, (std::map<std::string, int>{{"usual", 12}}));
+  EXPECT_FALSE(tolerable.contains("senseless"));
+  EXPECT_TRUE(tolerable.contains("tolerable"));
+  EXPECT_TRUE(any.contains("senseless"));
+}
+
 TEST(Training, ThreadsAndShardsGiveTheSameBytes) {
   ScratchFolder scratch;
   ASSERT_TRUE(write_file(scratch.at("small.json"), R"({"format": "unietp-run/1", "seed": 6, "count": 8, "block": 4,

@@ -235,6 +235,37 @@ TEST(Household, SaysWhichRoomsSuitThings) {
   EXPECT_FALSE(household.keeps("plate", "breakfast_table", "bathroom"));
 }
 
+TEST(Household, KnowsWhatIsWashedInWhichRoom) {
+  const auto style = style_of(Simulator::Virtualhome);
+  ASSERT_TRUE(style);
+  const Household& household = *style->recipe.household;
+  EXPECT_TRUE(household.keeps("wineglass", "sink", "kitchen"));
+  EXPECT_FALSE(household.keeps("wineglass", "sink", "bathroom"));
+  EXPECT_FALSE(household.puts_away("sink"));
+}
+
+TEST(Household, TakesRoomsFromRulesOnNames) {
+  const auto style = style_of(Simulator::Ai2thor);
+  ASSERT_TRUE(style);
+  const Household& household = *style->recipe.household;
+  EXPECT_LT(household.in_room("Plunger", "kitchen"), Household::kNoRoom);
+  EXPECT_GE(household.in_room("Plunger", "bathroom"), Household::kNoRoom);
+  EXPECT_LT(household.in_room("SoapBar", "kitchen"), Household::kNoRoom);
+  EXPECT_GE(household.in_room("SoapBottle", "kitchen"), Household::kNoRoom);
+}
+
+TEST(Household, KnowsOfWhatHomesHaveSeveral) {
+  const auto style = style_of(Simulator::Ai2thor);
+  ASSERT_TRUE(style);
+  const Household& household = *style->recipe.household;
+  EXPECT_TRUE(household.has_several("Fork"));
+  EXPECT_TRUE(household.has_several("Newspaper")) << "of a narrower kind than books";
+  EXPECT_FALSE(household.has_several("Kettle"));
+  EXPECT_TRUE(household.is_a("Bowl", "tableware"));
+  EXPECT_TRUE(household.is_a("Pan", "cookware"));
+  EXPECT_FALSE(household.is_a("Box", "cookware"));
+}
+
 TEST(Household, KnowsInWhichRoomsHomesHaveThings) {
   const auto style = style_of(Simulator::Habitat);
   ASSERT_TRUE(style);
@@ -286,6 +317,41 @@ TEST(Homes, HaveFoodOnCleanDishesThatAreAtHand) {
     }
   }
   EXPECT_GT(dishes, 3);
+}
+
+TEST(Homes, HaveThingsWhereTheyUsuallyAre) {
+  for (const Simulator simulator : kSimulators) {
+    const auto style = style_of(simulator);
+    ASSERT_TRUE(style);
+    const Household& household = *style->recipe.household;
+    const auto scene = full_home_of(*style, 2);
+    ASSERT_TRUE(scene) << format(scene.error());
+    int things = 0;
+    for (const Edge& edge : scene->edges) {
+      const Node* node = find_node(*scene, edge.from);
+      const Node* place = find_node(*scene, edge.to);
+      if ((edge.relation != Predicate::On && edge.relation != Predicate::Inside) || node == nullptr ||
+          place == nullptr || !node->movable)
+        continue;
+      const auto& all = household.places_of(node->category);
+      if (std::none_of(all.begin(), all.end(), [](const auto& one) { return one.usual; })) continue;
+      const auto* here = household.place(node->category, edge.relation, place->category);
+      if (here == nullptr) continue;  // it also touches what it was not put on
+      ++things;
+      const Room* room = room_at(*scene, node->pose.position.head<2>());
+      const auto is_here = [&](const std::string& category) {
+        return std::any_of(scene->nodes.begin(), scene->nodes.end(), [&](const Node& other) {
+          return !other.movable && other.category == category &&
+                 room_at(*scene, other.pose.position.head<2>()) == room &&
+                 household.keeps(node->category, category, room->type);
+        });
+      };
+      EXPECT_TRUE(here->usual || std::none_of(all.begin(), all.end(),
+                                              [&](const auto& one) { return one.usual && is_here(one.receptacle); }))
+          << node->id << " at " << place->id;
+    }
+    EXPECT_GT(things, 40);
+  }
 }
 
 TEST(Homes, HaveNoFoodWhereNobodyKeepsIt) {
