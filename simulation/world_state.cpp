@@ -54,7 +54,8 @@ void WorldState::read_links(const EdgeSet& edges) {
     for (const Edge& edge : edges) {
       if (edge.relation != Predicate::On && edge.relation != Predicate::Inside) continue;
       const auto from = index_of(edge.from), to = index_of(edge.to);
-      if (from && to) add_link(*from, {edge.relation, static_cast<std::uint32_t>(*to)});
+      // What is fixed is carried by nothing, even where a hand is held under it.
+      if (from && to && node(*from).movable) add_link(*from, {edge.relation, static_cast<std::uint32_t>(*to)});
     }
     in_hand = this->in_hand();
     for (const std::size_t i : in_hand) physics_.remove(BodyId::node(i));
