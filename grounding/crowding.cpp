@@ -23,7 +23,7 @@ bool is_enough(const Workspace& workspace, const std::string& category, int chan
   return household != nullptr && changed >= (household->has_several(category) ? 2 * most : most);
 }
 
-bool has_room_for(const Workspace& workspace, const std::string& category, const Node& host) {
+bool has_room_for(const Workspace& workspace, const std::string& category, const Node& host, int together) {
   const auto* household = workspace.household();
   if (household == nullptr) return true;
   const auto carried = workspace.carried_by(*workspace.places().find(host.id));
@@ -43,7 +43,8 @@ bool has_room_for(const Workspace& workspace, const std::string& category, const
     if (!before || home.scene.nodes[*before].pose.position != node.pose.position) ++came;
     if (node.category == category) ++alike;
   }
-  return came < kMostAtOne && alike < (household->has_several(category) ? kMostAlikeAt : 1);
+  return came < std::max(kMostAtOne, together) &&
+         alike < (household->has_several(category) ? std::max(kMostAlikeAt, together) : 1);
 }
 
 bool may_be_common(const State& state) {

@@ -18,7 +18,7 @@ namespace unietp {
 namespace {
 
 constexpr int kTriesPerDecoy = 4, kTriesPerMoved = 3, kTriesPerRestated = 6;
-constexpr std::size_t kMostAdded = 14;  // to one start
+constexpr std::size_t kMostAdded = 20;  // to one start
 constexpr int kLeastDecoys = 4;         // for each category that was added to, also at unusual places
 constexpr std::size_t kMostMoved = 24;
 constexpr std::size_t kMostRestated = 15;
@@ -43,6 +43,7 @@ struct Added {
   std::string below = {};
   StateSet states = {};
   bool unusual = false;
+  int together = 1;  // how many of its category were added at its place
 };
 
 /// A state that the start gave a thing of the home, and all that the thing is in since.
@@ -103,6 +104,11 @@ class Decoys {
       const Node& node = workspace().scene().nodes[place];
       if (node.movable && !home_.places.find(node.id))
         added.push_back({workspace().room_of(place), category_below(node), node.states});
+    }
+    for (Added& one : added) {
+      one.together = static_cast<int>(std::count_if(added.begin(), added.end(), [&](const Added& other) {
+        return other.room == one.room && other.below == one.below;
+      }));
     }
     return added;
   }
@@ -425,7 +431,8 @@ class Decoys {
   /// things.
   bool may_hold(const Node& host, const Category& category, const Added& model, const std::string& wanted) {
     return host.category != wanted && !places_.contains(host.category) &&
-           !(host.movable && spoken_.contains(host.category)) && has_room_for(workspace(), category.name, host) &&
+           !(host.movable && spoken_.contains(host.category)) &&
+           has_room_for(workspace(), category.name, host, model.together) &&
            (model.room == nullptr || workspace().room_of(*workspace().places().find(host.id)) == model.room) &&
            (model.unusual || is_usual_at(category, host.category));
   }
