@@ -13,6 +13,7 @@
 
 #include "grounding/crowding.h"
 #include "grounding/likelihood.h"
+#include "grounding/spoken_names.h"
 
 namespace unietp {
 namespace {
@@ -22,20 +23,6 @@ constexpr std::size_t kMostAdded = 20;  // to one start
 constexpr int kLeastDecoys = 4;         // for each category that was added to, also at unusual places
 constexpr std::size_t kMostMoved = 24;
 constexpr std::size_t kMostRestated = 15;
-
-/// All that a category is called or stands for in texts.
-std::vector<std::string_view> names_of(const Category& category, const Knowledge& knowledge) {
-  std::vector<std::string_view> names{category.display, category.plural};
-  for (const AliasKind kind : kAliasKinds) {
-    for (const Alias* alias : knowledge.aliases_of(category.name, kind)) names.emplace_back(alias->text);
-  }
-  return names;
-}
-
-/// "Table" may mean a coffee table.
-bool may_mean(std::string_view name, std::string_view other) {
-  return other.ends_with(name) && (other.size() == name.size() || other[other.size() - name.size() - 1] == ' ');
-}
 
 /// A thing that a start added: its room or nullptr, what it is on or in, and whether others may be at unusual places.
 struct Added {
@@ -210,11 +197,15 @@ class Decoys {
     return alike;
   }
 
-  /// At usual places first; where too few find one, more come to unusual places.
+  /// At usual places first; where too few find one, more come to unusual places. Where none does, some come even to
+  /// where there is a crowd: what stands alone would be found at once.
   void add_for(const Category& asked, int number, std::vector<Added> models) {
-    const int added = add_for(asked, number, models, kDecoys);
+    constexpr int kAnyNumber = 1000;
+    int added = add_for(asked, number, models, kDecoys);
     for (Added& model : models) model.unusual = true;
-    if (added < kLeastDecoys) add_for(asked, number, models, kLeastDecoys - added);
+    if (added < kLeastDecoys) added += add_for(asked, number, models, kLeastDecoys - added);
+    for (Added& model : models) model.together = kAnyNumber;
+    if (added == 0) add_for(asked, number, models, 2);
   }
 
   /// How many were added, at most `wanted`.
@@ -224,8 +215,9 @@ class Decoys {
       if (left == 0 || tries == 0 || added_ + models.size() > kMostAdded) break;
       const bool suits =
           std::all_of(models.begin(), models.end(), [&](const Added& one) { return is_kept_in(*category, one.room); });
-      if (!suits || is_spoken_of(*category) ||
-          !may_be_so_many(workspace(), number_in_home(category->name), models.size(), category->name))
+      const bool in_crowd = models.front().together > static_cast<int>(models.size());
+      if (!suits || is_spoken_of(*category)) continue;
+      if (!in_crowd && !may_be_so_many(workspace(), number_in_home(category->name), models.size(), category->name))
         continue;
       --tries;
       if (!add_like_each(*category, models)) continue;
