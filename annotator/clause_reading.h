@@ -51,7 +51,7 @@ class ClauseReader {
   Clause same_number();
   Clause outnumbering();
   void at_the_same_place(Clause& clause);
-  Clause poured();
+  Clause poured(std::string symbol);
   Clause remaining();
   Clause none_left(bool any);
   Clause few_left();

@@ -275,11 +275,14 @@ std::optional<std::string> ClauseWriter::worded(const Clause& clause) {
       if (naming_.everyday() && naming_.names_by_use(clause.subjects[0].noun) &&
           clause.complements[0].predicate == P::Held)
         patterns = {"grab me {s}"};
-      // One fills a glass with water, and pours wine.
+      // One fills a glass with water, pours wine and waters plants.
       const Complement& said = clause.complements[0];
       if (naming_.everyday() && said.predicate == P::Filled && !said.negated && said.symbol == "wine" &&
           naming_.says_one_thing())
         patterns = {"pour {m} into {s}"};
+      if (naming_.everyday() && said.predicate == P::Filled && !said.negated && said.symbol == "water" &&
+          naming_.is_plant(clause.subjects[0].noun))
+        patterns = {"water {s}"};
       if (naming_.everyday() && naming_.has_lid(clause.subjects[0].noun))
         for (std::string& pattern : patterns) pattern = replace_all(pattern, "close {s}", "put the lid on {s}");
       // What one holds is washed; a table is cleaned, not washed.

@@ -42,7 +42,8 @@ Clause ClauseReader::command() {
   }
   if (words_.accept("put the same number of")) return same_number();
   if (words_.accept("put more")) return outnumbering();
-  if (words_.accept_one({"pour it into", "water"}) >= 0) return poured();
+  if (words_.accept("pour it into")) return poured("");  // of what was filled before
+  if (words_.accept("water")) return poured("water");
   if (words_.accept_one({"don't leave any", "do not leave any"}) >= 0) return none_left(true);
   if (words_.accept_one({"don't leave more than", "only"}) >= 0) return few_left();
   if (words_.accept_one({"don't leave", "do not leave"}) >= 0) return none_left(false);

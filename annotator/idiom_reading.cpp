@@ -127,13 +127,13 @@ void ClauseReader::at_the_same_place(Clause& clause) {
 }
 
 /// "pour it into the vase": what was filled in before; the symbol is that of the clause before.
-Clause ClauseReader::poured() {
+Clause ClauseReader::poured(std::string symbol) {
   Clause clause;
   clause.poured = true;
   words_.set_bare_rooms(true);
   clause.subjects.push_back(words_.phrase());
   words_.set_bare_rooms(false);
-  clause.complements.push_back({P::Filled, false, "", {}});
+  clause.complements.push_back({P::Filled, false, std::move(symbol), {}});
   return clause;
 }
 

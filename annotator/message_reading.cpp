@@ -240,7 +240,8 @@ class TextReader {
 
   /// What is poured out of what the clause before filled is the same.
   static void take_symbol(const Clause& before, Clause& after) {
-    if (after.poured && !before.complements.empty()) after.complements[0].symbol = before.complements[0].symbol;
+    if (after.poured && after.complements[0].symbol.empty() && !before.complements.empty())
+      after.complements[0].symbol = before.complements[0].symbol;
   }
 
   /// What follows "then": a command, or another place, "put the egg on the table and then in the sink".
