@@ -56,6 +56,7 @@ class Listener {
     const Category* known = knowledge_.find(own);
     if (name == nullptr || known == nullptr || !says_name(*name)) return false;
     const std::string_view place = place_in(name->singular);
+    if (!place.empty() && says_twice(*name, place)) return true;
     if (!known->movable && !place.empty() && !stands_in(own, known->rooms)) return true;
     const auto alike = nouns_.everyday()->look_alikes(known->display);
     return std::any_of(others_.begin(), others_.end(), [&](const std::string& there) {
@@ -63,6 +64,12 @@ class Listener {
       return other != nullptr && (contains(alike, other->display) || is_called(there, *other, name->singular)) &&
              (place.empty() || !is_room(place) || stands_in(there, std::array{std::string(place)}));
     });
+  }
+
+  /// "The kitchen cabinets in the kitchen": as if there were others.
+  bool says_twice(const NounTable::Name& name, std::string_view place) const {
+    const std::string room = " in the " + std::string(place);
+    return text_.find(name.singular + room) != std::string::npos || text_.find(name.plural + room) != std::string::npos;
   }
 
   /// The room or use that a name of furniture starts with: "bathroom" of "bathroom sink"; or "".

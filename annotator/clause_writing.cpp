@@ -283,6 +283,9 @@ std::optional<std::string> ClauseWriter::worded(const Clause& clause) {
       if (naming_.everyday() && said.predicate == P::Filled && !said.negated && said.symbol == "water" &&
           naming_.is_plant(clause.subjects[0].noun))
         patterns = {"water {s}"};
+      // One shuts a door or a drawer, and closes a backpack.
+      if (naming_.everyday() && said.predicate == P::Closed && naming_.is_carried(clause.subjects[0].noun))
+        std::erase(patterns, "shut {s}");
       if (naming_.everyday() && naming_.has_lid(clause.subjects[0].noun))
         for (std::string& pattern : patterns) pattern = replace_all(pattern, "close {s}", "put the lid on {s}");
       // What one holds is washed; a table is cleaned, not washed.

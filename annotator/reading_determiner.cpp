@@ -33,8 +33,8 @@ std::optional<int> number_in(const std::string& word) {
 }  // namespace
 
 bool PhraseReader::phrase_comes() const {
-  for (const char* start : {"a", "an", "one", "the", "that", "some", "any", "every", "each", "all", "both", "no",
-                            "exactly", "precisely", "just", "another", "it", "them", "you"})
+  for (const char* start : {"a",    "an", "one",     "the",       "that", "some",    "any",    "every", "each", "all",
+                            "both", "no", "exactly", "precisely", "just", "another", "enough", "it",    "them", "you"})
     if (peek() == start) return true;
   if (number_in(peek())) return true;
   for (const char* start : {"at least", "at most"})
@@ -148,7 +148,7 @@ std::optional<NounPhrase> PhraseReader::referring_phrase(NounPhrase read) {
 
 /// "a few mugs", "a mug", "any mug", "some mug or other", "every mug", "all mugs", "both mugs".
 std::optional<NounPhrase> PhraseReader::quantified_phrase(NounPhrase read) {
-  for (const auto& [words, number] : {std::pair{"a couple of", 2}, std::pair{"a few", 3}}) {
+  for (const auto& [words, number] : {std::pair{"a couple of", 2}, std::pair{"a few", 3}, std::pair{"enough", 2}}) {
     if (!accept(words)) continue;
     read.number = number;
     return noun_with(read, Determiner::AtLeast, true);

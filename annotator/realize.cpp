@@ -86,7 +86,7 @@ class Realizer {
       if (i > from && one_for_each(plan_.message[i - 1].clauses[0], clause)) {
         const Text each = naming_.singular(clause.subjects[1].noun);
         if (!each) return std::nullopt;
-        parts.back() = with_plain_number(parts.back()) + ", one for each " + *each + " there";
+        parts.back() = with_enough(parts.back()) + ", one for each " + *each + " there";
         continue;
       }
       const Text part = clauses_.command(clause);
@@ -108,15 +108,13 @@ class Realizer {
   }
 
   /// Three plates want three forks, which are not "a couple".
-  static std::string with_plain_number(std::string part) {
-    for (const auto& [vague, plain] : {std::pair<std::string_view, std::string_view>{" a couple of ", " at least two "},
-                                       {" a few ", " at least three "}}) {
-      if (const auto at = part.find(vague); at != std::string::npos) part.replace(at, vague.size(), plain);
-    }
+  static std::string with_enough(std::string part) {
+    constexpr std::string_view kVague = " a couple of ";
+    if (const auto at = part.find(kVague); at != std::string::npos) part.replace(at, kVague.size(), " enough ");
     return part;
   }
 
-  /// "Put both forks on the table, one for each plate there.": as many there as plates.
+  /// "Put enough forks on the table, one for each plate there.": as many there as plates.
   static bool one_for_each(const Clause& put, const Clause& counted) {
     if (put.kind != Clause::Kind::Simple || counted.kind != Clause::Kind::Compare || !same_place(counted) ||
         counted.comparison != Comparison::Equal || put.subjects.size() != 1 || put.complements.size() != 1)

@@ -94,10 +94,10 @@ constexpr Said kSaid[] = {
      "(exists (?t - Table) (at-end (and (count = 2 (?m - Mug) (on ?m ?t))"
      " (count = (number (?a - Mug) (on ?a ?t)) (number (?b - Bowl) (on ?b ?t))))))",
      ", one for each bowl there"},
-    {"Put at least two mugs on the table, one for each bowl there.",
+    {"Put enough mugs on the table, one for each bowl there.",
      "(exists (?t - Table) (at-end (and (count >= 2 (?m - Mug) (on ?m ?t))"
      " (count = (number (?a - Mug) (on ?a ?t)) (number (?b - Bowl) (on ?b ?t))))))",
-     "at least two mugs on a table, one for each bowl there"},
+     "enough mugs on a table, one for each bowl there"},
     {"Put two mugs on the table, one for each bowl there.",
      "(exists (?t - Table) (at-end (and (count = 2 (?m - Mug) (on ?m ?t))"
      " (count = (number (?a - Mug) (on ?a ?t)) (number (?b - Bowl) (on ?b ?t))))))",

@@ -111,6 +111,18 @@ TEST_F(InTheKitchen, ACompositeActionDoesWhatItStandsFor) {
   EXPECT_TRUE(is(world, "microwave_1", Predicate::Closed));
 }
 
+TEST_F(InTheKitchen, NothingFixedIsCarriedByAHandThatIsHeldUnderIt) {
+  World world = start();
+  expect(world, ActionType::GoTo, "mug_1");
+  expect(world, ActionType::PickUp, "mug_1");
+  Scene scene = world.scene();
+  scene.edges.insert({Predicate::On, "microwave_1", "mug_1"});  // as poses can say of a hand before a microwave
+  EXPECT_TRUE(carried_by(scene, "mug_1").empty());
+  World again = start(std::move(scene));
+  expect(again, ActionType::GoTo, "microwave_1");
+  expect(again, ActionType::Open, "microwave_1");
+}
+
 TEST_F(InTheKitchen, WhatIsCooledIsPutWhereTheHandCanTakeItBack) {
   World world = start();
   expect(world, ActionType::GoTo, "mug_1");
