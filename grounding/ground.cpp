@@ -140,6 +140,19 @@ std::optional<GroundingFailure> odd_start(const Workspace& workspace, bool dange
   return std::nullopt;
 }
 
+/// Things that the start adds for the goal, when it adds nothing else that they could hide among.
+std::optional<GroundingFailure> added_alone(const Home& home, const Scene& start, const Formula& goal) {
+  const std::vector<std::string> asked = categories_of(goal);
+  std::string alone;
+  for (const Node& node : start.nodes) {
+    if (!node.movable || home.places.find(node.id)) continue;
+    if (std::find(asked.begin(), asked.end(), node.category) == asked.end()) return std::nullopt;
+    alone = node.category;
+  }
+  if (alone.empty()) return std::nullopt;
+  return GroundingFailure{RejectionReason::OddStart, "nothing but " + alone + " would be new in the home", {}};
+}
+
 }  // namespace
 
 std::variant<Grounded, Rejection> ground(const Specification& specification, const Home& home,
@@ -190,6 +203,10 @@ std::variant<Grounded, Rejection> ground(const Specification& specification, con
   if (options.decoys && add_decoys(editor, specification, home, rng.fork("decoys", 0)) > 0) {
     Start with_decoys = read_start(editor, home);
     if (is_sound() && !problem_of(with_decoys, true)) start = std::move(with_decoys);
+  }
+  if (options.decoys && options.likely) {
+    if (const auto alone = added_alone(home, start.scene, specification.goal))
+      return rejected(specification, home.scene, *alone);
   }
   Episode episode;
   episode.changes = std::move(start.changes);
