@@ -207,7 +207,8 @@ class Check {
   void states() {
     for (const P predicate : goal_.predicates) {
       const auto list = words_for(predicate);
-      if (!list.empty() && !any_word(words_, list) && !is_said_by_if_not(predicate) && !is_said_by_a_name(predicate))
+      if (!list.empty() && !any_word(words_, list) && !is_said_by_if_not(predicate) && !is_said_by_a_name(predicate) &&
+          !(predicate == P::Filled && is_watered()))
         lacks("'" + std::string(info(predicate).name) + "'");
     }
     if (specification_.style == Style::Condition) return;  // says states of the start, too
@@ -219,6 +220,14 @@ class Check {
       });
       if (word != text_.plain.end()) exceeds("'" + word->text + "'");
     }
+  }
+
+  /// "water the plant"
+  bool is_watered() const {
+    for (std::size_t i = 0; i + 1 < words_.size(); ++i)
+      if (words_[i].text == "water" && is_among(words_[i + 1].text, "a. an. the. any. every. each. all. both. one."))
+        return true;
+    return false;
   }
 
   /// "where we wash our hands", "the kitchen faucet"
@@ -251,7 +260,7 @@ class Check {
 
   void numbers() {
     const auto said = [&](int number) {
-      if (number == 2 && any_word(words_, "couple. pair. both. two. twice.")) return true;
+      if (number == 2 && (any_word(words_, "couple. pair. both. two. twice.") || says_enough_for_each())) return true;
       if (number == 3 && any_word(words_, "few. three.")) return true;
       return std::any_of(words_.begin(), words_.end(), [&](const Token& w) { return number_of(w.text) == number; });
     };
@@ -264,6 +273,9 @@ class Check {
         exceeds("the number " + word.text);
     }
   }
+
+  /// "enough forks, one for each plate there": as many as plates, of which there are several.
+  bool says_enough_for_each() const { return says(words_, "enough") && says(words_, "one for each"); }
 
   /// "two mugs" may also be a mug and another one.
   bool same_twice() const { return to_text(specification_.goal).find("(= ") != std::string::npos; }
@@ -280,7 +292,7 @@ class Check {
     if (goal_.exactly && !any_word(words_, "exactly precisely just. only. as. equal same. more. evenly.") &&
         !says(words_, "one for each") && !says_number_alone())
       lacks("that the number is exact ('exactly')");
-    if (goal_.at_least && !says(words_, "same number of") &&
+    if (goal_.at_least && !says(words_, "same number of") && !says_enough_for_each() &&
         !any_word(words_, "least. fewer. minimum. more. couple. pair. few. as. or. two. three. evenly."))
       lacks("'at least'");
     if (goal_.at_most && !any_word(words_, "most. more. maximum. up. than. beyond. exceed. only")) lacks("'at most'");
