@@ -26,7 +26,7 @@ const fs::path& unpaired() {
   static const ScratchFolder folder;
   static const fs::path path = [] {
     const auto ended =
-        run_program({"generate", "--count", std::to_string(kTasks), "--seed", "9", "--rooms", "5", "--objects", "60",
+        run_program({"generate", "--count", std::to_string(kTasks), "--seed", "12", "--rooms", "5", "--objects", "60",
                      "--splits", "atomic,compositional,linguistic", "--out", folder.at("made")});
     EXPECT_EQ(ended.code, 0) << ended.err;
     return fs::path(folder.at("made"));
