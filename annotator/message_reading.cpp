@@ -71,8 +71,7 @@ class TextReader {
     return true;
   }
 
-  /// "There is a dirty mug in the bedroom.", "There is more than one mug here.", "The lamp in the bedroom is on.",
-  /// "Never mind the mug on the desk."
+  /// "There is a dirty mug in the bedroom.", "The lamp in the bedroom is on.", "Never mind the mug on the desk."
   bool fact() {
     Clause so;
     if (words_.accept_one({"never mind", "don't worry about"}) >= 0) {

@@ -16,9 +16,11 @@ std::vector<std::size_t> in_the_hand(const Scene& scene) {
     ids.push_back(id);
     for (std::string& carried : carried_by(scene, id)) ids.push_back(std::move(carried));
   }
+  // What is fixed is carried by nothing, even where a hand is held under it.
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < scene.nodes.size() && !ids.empty(); ++i) {
-    if (std::find(ids.begin(), ids.end(), scene.nodes[i].id) != ids.end()) places.push_back(i);
+    if (scene.nodes[i].movable && std::find(ids.begin(), ids.end(), scene.nodes[i].id) != ids.end())
+      places.push_back(i);
   }
   return places;
 }

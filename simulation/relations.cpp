@@ -215,15 +215,10 @@ std::vector<Edge> read_relations(const Scene& scene) { return read_relations(sce
 
 std::vector<std::string> carried_by(const Scene& scene, std::string_view id) {
   std::vector<std::string> carried{std::string(id)};
-  const auto is_movable = [&](const std::string& one) {
-    return std::any_of(scene.nodes.begin(), scene.nodes.end(),
-                       [&](const Node& node) { return node.id == one && node.movable; });
-  };
   for (std::size_t at = 0; at < carried.size(); ++at) {
     for (const Edge& edge : scene.edges) {
       if (edge.to != carried[at] || (edge.relation != Predicate::On && edge.relation != Predicate::Inside)) continue;
-      if (std::find(carried.begin(), carried.end(), edge.from) != carried.end()) continue;
-      if (is_movable(edge.from)) carried.push_back(edge.from);  // a hand held under a cupboard does not carry it
+      if (std::find(carried.begin(), carried.end(), edge.from) == carried.end()) carried.push_back(edge.from);
     }
   }
   carried.erase(carried.begin());

@@ -40,7 +40,7 @@ TEST(FitOfHome, NoDishesGoIntoASinkThatMayBeThatOfABathroom) {
     return goal && all_sinks_suit(*goal, *layout, *committed().recipe(Simulator::Ai2thor).household);
   };
   EXPECT_FALSE(suits("(exists (?a - Plate) (exists (?b - Sink) (at-end (inside ?a ?b))))"));
-  EXPECT_TRUE(suits("(exists (?a - SoapBar) (exists (?b - Sink) (at-end (inside ?a ?b))))"));
+  EXPECT_TRUE(suits("(exists (?a - SoapBottle) (exists (?b - Sink) (at-end (inside ?a ?b))))"));
   EXPECT_TRUE(suits("(exists (?a - Plate) (exists (?b - Cabinet) (at-end (inside ?a ?b))))"))
       << "people find the cabinet of the kitchen";
   EXPECT_TRUE(
