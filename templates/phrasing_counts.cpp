@@ -37,7 +37,7 @@ WordList words_for(int number) {
   WordList words = {std::to_string(number)};
   if (static_cast<std::size_t>(number) < kNumbers.size())
     words.emplace_back(kNumbers[static_cast<std::size_t>(number)]);
-  const WordList of_two = {"pair", "couple", "both", "second", "another", "twice", "several"};
+  const WordList of_two = {"pair", "couple", "both", "second", "another", "twice", "several", "enough"};
   const WordList of_more = {"trio", "few", "several", "third"};
   const auto& more = number == 2 ? of_two : of_more;
   words.insert(words.end(), more.begin(), more.end());

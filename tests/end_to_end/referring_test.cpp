@@ -43,9 +43,12 @@ void expect_proven(const Wanted& wanted, const std::string& simulators) {
 }
 
 TEST(Referring, TemplatesThatReferAreProven) {
-  expect_proven(
-      {"pick-up-the-nearest", "instance_grounding", "referring", "direct", {"nearest to the", "nearest to a"}},
-      "virtualhome,habitat");
+  expect_proven({"pick-up-the-nearest",
+                 "instance_grounding",
+                 "referring",
+                 "direct",
+                 {"nearest to the", "nearest to a", "closest to the", "closest to a"}},
+                "virtualhome,habitat");
   expect_proven({"place-the-larger-inside", "instance_grounding", "referring", "direct", {"larger", "bigger"}},
                 "ai2thor,habitat");
   expect_proven({"open-the-one-in-room", "instance_grounding", "referring", "direct", {" in the "}},
