@@ -127,7 +127,7 @@ TEST(Doctor, SaysWhatIsWrongWithAFileWhatWasDoneAndWhatIsLeft) {
 
 TEST(Doctor, ExaminesAScenesOwnFileAsItIsAndWritesNothing) {
   ScratchFolder folder;
-  ASSERT_EQ(run_program({"scene", "make", "--simulator", "ai2thor", "--rooms", "4", "--objects", "60", "--out",
+  ASSERT_EQ(run_program({"scene", "make", "--simulator", "ai2thor", "--rooms", "4", "--objects", "100", "--out",
                          folder.at("homes")})
                 .code,
             0);
@@ -148,6 +148,7 @@ TEST(Doctor, ExaminesAScenesOwnFileAsItIsAndWritesNothing) {
     spoiled = node["id"];
     break;
   }
+  ASSERT_NE(spoiled, "");
   ASSERT_TRUE(write_file(folder.at("spoiled.scene.json"), scene.dump()));
   const auto ended = run_program({"scene", "doctor", folder.at("spoiled.scene.json"), "--json"});
   EXPECT_EQ(ended.code, 1);
