@@ -99,9 +99,8 @@ class Household {
   std::set<std::string, std::less<>> washing_;            // receptacles of PlaceUse::DirtyOrNot
   std::set<std::string, std::less<>> passing_;            // receptacles of PlaceUse::Passing
   std::map<std::string, std::vector<Place>, std::less<>> places_;
-  std::map<std::string, std::map<std::string, double, std::less<>>, std::less<>>
-      rooms_;  // by kind, or by
-               // category where a rule names it, then type of room
+  // By kind, or by category where a rule names it; then by type of room.
+  std::map<std::string, std::map<std::string, double, std::less<>>, std::less<>> rooms_;
   std::map<std::string, std::set<std::string>, std::less<>>
       covered_by_name_;                                  // by a category with a generic name: others
   std::map<std::string, double, std::less<>> on_floor_;  // by kind, or by category

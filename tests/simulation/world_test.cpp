@@ -120,6 +120,8 @@ TEST_F(InTheKitchen, NothingFixedIsCarriedByAHandThatIsHeldUnderIt) {
   World again = start(std::move(scene));
   expect(again, ActionType::GoTo, "microwave_1");
   expect(again, ActionType::Open, "microwave_1");
+  EXPECT_TRUE(is(again, "microwave_1", Predicate::Open));
+  EXPECT_EQ(again.scene().agent.held, std::vector<std::string>{"mug_1"});
 }
 
 TEST_F(InTheKitchen, WhatIsCooledIsPutWhereTheHandCanTakeItBack) {
