@@ -219,15 +219,25 @@ TEST(Procthor, AKnifeLiesFlatAndALaptopIsShut) {
   EXPECT_GT(knowledge.asset(laptop["assetId"].get<std::string>())->size.z(), 0.1);
 }
 
-/// In our physics a phone can lie on a plant, and a plant on a table.
-TEST(Procthor, WhatLiesOnAPlantIsOfWhatThePlantStandsOn) {
-  const Knowledge& knowledge = committed_knowledge(Simulator::Ai2thor);
+/// A home without objects.
+Scene empty_home(const Knowledge& knowledge) {
   Scene scene = small_home(knowledge, 1);
   scene.nodes.clear();
   scene.edges.clear();
+  return scene;
+}
+
+Vec2 middle_of(const Room& room) {
   Vec2 middle = Vec2::Zero();
-  for (const Vec2& corner : scene.rooms[0].polygon)
-    middle += corner / static_cast<double>(scene.rooms[0].polygon.size());
+  for (const Vec2& corner : room.polygon) middle += corner / static_cast<double>(room.polygon.size());
+  return middle;
+}
+
+/// In our physics a phone can lie on a plant, and a plant on a table.
+TEST(Procthor, WhatLiesOnAPlantIsOfWhatThePlantStandsOn) {
+  const Knowledge& knowledge = committed_knowledge(Simulator::Ai2thor);
+  Scene scene = empty_home(knowledge);
+  const Vec2 middle = middle_of(scene.rooms[0]);
   double height = 0;
   for (const char* const category : {"DiningTable", "HousePlant", "CellPhone"}) {
     Node node;
@@ -253,12 +263,8 @@ TEST(Procthor, WhatLiesOnAPlantIsOfWhatThePlantStandsOn) {
 
 TEST(Procthor, WhatMayNotLieWhereItLiesIsLeftOutWithWhatItHolds) {
   const Knowledge& knowledge = committed_knowledge(Simulator::Ai2thor);
-  Scene scene = small_home(knowledge, 1);
-  scene.nodes.clear();
-  scene.edges.clear();
-  Vec2 middle = Vec2::Zero();
-  for (const Vec2& corner : scene.rooms[0].polygon)
-    middle += corner / static_cast<double>(scene.rooms[0].polygon.size());
+  Scene scene = empty_home(knowledge);
+  const Vec2 middle = middle_of(scene.rooms[0]);
   for (const char* const category : {"DiningTable", "Bowl", "Egg", "CellPhone"}) {
     Node node;
     node.id = node.category = category;
