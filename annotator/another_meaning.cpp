@@ -57,7 +57,7 @@ class Listener {
     if (name == nullptr || known == nullptr || !says_name(*name)) return false;
     const std::string_view place = place_in(name->singular);
     if (!place.empty() && says_twice(*name, place)) return true;
-    if (!known->movable && !place.empty() && !stands_in(own, known->rooms)) return true;
+    if (!known->movable && !place.empty() && !stands_in(own, known->rooms) && !stands_in_any_room(own)) return true;
     const auto alike = nouns_.everyday()->look_alikes(known->display);
     return std::any_of(others_.begin(), others_.end(), [&](const std::string& there) {
       const Category* other = knowledge_.find(there);
@@ -86,6 +86,17 @@ class Listener {
   bool stands_in(const std::string& category, std::span<const std::string> room_types) const {
     return std::any_of(home_.nodes.begin(), home_.nodes.end(), [&](const Node& node) {
       return node.category == category && contains(room_types, room_of(node.id));
+    });
+  }
+
+  /// Whether one stands in a room of a type that the knowledge has nothing in: an imported home may not tell what its
+  /// rooms are for.
+  bool stands_in_any_room(const std::string& category) const {
+    const auto& all = knowledge_.categories();
+    return std::any_of(home_.nodes.begin(), home_.nodes.end(), [&](const Node& node) {
+      return node.category == category && std::none_of(all.begin(), all.end(), [&](const Category& known) {
+               return std::find(known.rooms.begin(), known.rooms.end(), room_of(node.id)) != known.rooms.end();
+             });
     });
   }
 

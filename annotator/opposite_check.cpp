@@ -91,6 +91,7 @@ class Opposites {
       last();
     }
     if (uses_.orders.size() == 1) order(*uses_.orders.front());
+    premises();
     return std::move(faults_);
   }
 
@@ -260,7 +261,9 @@ class Opposites {
 
   /// "The mug or the plate", where both are wanted, and "the mug and the plate", where one is.
   void choice() {
-    if (chooses(specification_.goal) && !any("or. either. one. whichever. alternatively. nor.")) lacks("'or'");
+    const bool by_case = !uses_.told.empty() && any("if. when.");
+    if (chooses(specification_.goal) && !by_case && !any("or. either. one. whichever. alternatively. nor."))
+      lacks("'or'");
     if (tells_a_story() || uses_.either || goal_.at_least || goal_.at_most || goal_.none) return;
     for (std::size_t i = 0; i < words_.size(); ++i)
       if (words_[i].text == "or" && !is_among(word(i + 1), "so. not. more. else.")) return exceeds("'or'");
@@ -283,9 +286,13 @@ class Opposites {
   /// apart.
   std::string_view cue(const Formula& part, const Formula& other) const {
     const auto mine = words_of_goal(part).predicates, theirs = words_of_goal(other).predicates;
+    const auto is_switching = [](P one) { return one == P::PowerOn || one == P::PowerOff; };
     for (const P predicate : mine) {
       if (theirs.contains(predicate) || uses_.told.contains(predicate)) continue;
-      if (predicate == P::PowerOn || predicate == P::PowerOff) continue;  // "turn" says either
+      if (is_switching(predicate)) {
+        if (std::any_of(theirs.begin(), theirs.end(), is_switching)) continue;  // "turn" says either
+        return "turn. turning. switch. switching. switched.";
+      }
       if (predicate == P::On || predicate == P::Inside || predicate == P::InRoom || predicate == P::NextTo ||
           predicate == P::OnFloor)
         return "put. place. set. bring. move. putting. placing. setting. bringing. moving. store. carry.";
@@ -313,11 +320,11 @@ class Opposites {
       backward |= said == (of_first ? "last" : "first");
       if (i < first) {
         forward |= (said == "after" && !of_that) || joins;
-        backward |= said == "before";
+        backward |= said == "before" && !of_that;
       } else if (i < second) {
-        forward |= is_among(said, "then. next. afterwards. afterward. later. before. finally.") ||
-                   (said == "after" && of_that) || (opens && joins);
-        backward |= (said == "after" && !of_that) || (!opens && joins);
+        forward |= is_among(said, "then. next. afterwards. afterward. later. finally.") ||
+                   (said == (of_that ? "after" : "before")) || (opens && joins);
+        backward |= said == (of_that ? "before" : "after") || (!opens && joins);
       }
     }
     if (forward == backward) return std::nullopt;
@@ -331,6 +338,59 @@ class Opposites {
     if (!early || !late || *early == *late) return;
     const auto in_order = is_in_order(std::min(*early, *late), std::max(*early, *late));
     if (in_order && *in_order != (*early < *late)) lacks("the order: what comes first is said to come last");
+  }
+
+  /// Words that only one of two branches of a choice has: of what holds where it is to be done, and of what is done.
+  struct Branch {
+    std::string_view when, then;
+  };
+  static Branch branch(const Formula& one, const Formula& other) {
+    Uses mine, theirs;
+    collect(one, false, mine);
+    collect(other, false, theirs);
+    Branch words;
+    for (const P predicate : mine.told)
+      if (words.when.empty() && !theirs.told.contains(predicate)) words.when = words_only_for(predicate);
+    for (const P predicate : mine.asked) {
+      if (!words.then.empty() || theirs.asked.contains(predicate)) continue;
+      if (predicate == P::Inside) words.then = "in. into. inside.";
+      words.then = predicate == P::On ? "on. onto." : words.then.empty() ? words_only_for(predicate) : words.then;
+    }
+    return words;
+  }
+  /// Which of two lists words of a clause are on; nullopt where it is neither or both.
+  std::optional<bool> is_first_of(std::string_view first, std::string_view second, std::size_t begin,
+                                  std::size_t end) const {
+    bool has_first = false, has_second = false;
+    for (std::size_t i = begin; i < end; ++i) {
+      has_first |= is_among(words_[i].text, first);
+      has_second |= is_among(words_[i].text, second);
+    }
+    if (has_first == has_second) return std::nullopt;
+    return has_first;
+  }
+  /// "If it is closed, put the pot in it", where the pot is to be put in if it is open.
+  void premises() {
+    const Formula& goal = specification_.goal;
+    if (goal.op != Formula::Op::Or || goal.children.size() != 2) return;
+    const Branch one = branch(goal.children[0], goal.children[1]), two = branch(goal.children[1], goal.children[0]);
+    if (one.when.empty() || two.when.empty() || one.then.empty() || two.then.empty()) return;
+    for (std::size_t i = 0; i < words_.size(); ++i) {
+      if (words_[i].text != "if") continue;
+      std::size_t comma = i + 1;
+      while (!ends_clause(words_, comma)) ++comma;
+      std::size_t begin = i, end = i;  // what is done then: before "if", or behind the comma
+      if (i == 0 || ends_clause(words_, i - 1)) {
+        begin = end = std::min(comma + 1, words_.size());
+        while (!ends_clause(words_, end)) ++end;
+      } else {
+        while (begin > 0 && !ends_clause(words_, begin - 1)) --begin;
+      }
+      const auto state = is_first_of(one.when, two.when, i, comma), done = is_first_of(one.then, two.then, begin, end);
+      bool denied = false;
+      for (std::size_t k = i; k < comma; ++k) denied |= is_among(words_[k].text, "not. isn't. aren't.");
+      if (state && done && (*state != denied) != *done) return lacks("what is to be done in which case");
+    }
   }
 
   const Tokens& words_;

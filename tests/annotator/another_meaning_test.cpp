@@ -56,6 +56,8 @@ TEST(AnotherMeaning, IsThatOfFurnitureThatIsNotWhereItsNameSays) {
   const std::string text = "Put the cardboard box on the dining table.";
   EXPECT_FALSE(is_unclear(text, goal, home_with({{"breakfast_table", "kitchen"}})));
   EXPECT_TRUE(is_unclear(text, goal, home_with({{"breakfast_table", "office"}})));
+  // An imported home may not tell what its rooms are for.
+  EXPECT_FALSE(is_unclear(text, goal, home_with({{"breakfast_table", "room"}})));
 }
 
 TEST(AnotherMeaning, IsThatOfWhatWouldDoAsWell) {

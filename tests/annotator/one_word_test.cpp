@@ -89,6 +89,29 @@ std::string with(const std::string& text, bool right) {
   return text.substr(0, open) + word + text.substr(close + 1);
 }
 
+// The goals of further texts: an order of two kinds of things to do, and a choice by a state.
+constexpr const char* kPutThenLight =
+    "(exists (?a - Lamp) (exists (?b - Table) (and (before (on ?a ?b) (power_on ?a)) (at-end (and (on ?a ?b) (power_on "
+    "?a))))))";
+constexpr const char* kIfOpen =
+    "(or (exists (?a - (Fridge :where (open ?a))) (exists (?b - Bowl) (at-end (inside ?b ?a)))) (exists (?a - (Fridge "
+    ":where (closed ?a))) (exists (?b - Bowl) (exists (?c - Table) (at-end (on ?b ?c))))))";
+constexpr OneWord kOrdersAndChoices[] = {
+    {kPutThenLight, "Set the lamp on a table, and {after|before} that turn it on."},
+    {kPutThenLight, "Put a lamp on a table {before|after} you turn it on."},
+    {kPutThenLight, "{After|Before} you put a lamp on a table, turn it on."},
+    {kIfOpen, "If the fridge happens to be {open|closed}, the bowl goes in it. If not, put the bowl on a table."},
+    {kIfOpen, "Put the bowl in the fridge if the fridge is {open|closed}. If not, put the bowl on a table."},
+    {kIfOpen, "If the fridge is {closed|open}, put the bowl on a table. If it is open, put the bowl in it."},
+};
+
+TEST(OneWord, OfAnotherOrderOrCaseIsFound) {
+  for (const auto& [goal, text] : kOrdersAndChoices) {
+    EXPECT_THAT(faults(goal, with(text, true)), IsEmpty()) << text;
+    EXPECT_THAT(faults(goal, with(text, false)), Not(IsEmpty())) << text;
+  }
+}
+
 TEST(OneWord, OfAnotherMeaningIsFoundInEachOfFortyTexts) {
   EXPECT_EQ(std::size(kTexts), 40U);
   for (const auto& [goal, text] : kTexts) {

@@ -26,9 +26,10 @@ struct Passing {
 
 /// What may pass, all that there is (docs/trust.md). Beside it, only changes of the card's prose do.
 constexpr Passing kMayPass[] = {
-    {"manifest.json", "configuration.attempts", ""},  // above the number that was needed, it leaves no trace
-    {"manifest.json", "configuration.block", ""},     // how many tasks were planned together: likewise
-    {"reviews.jsonl", "comment", ""},                 // a person's words
+    {"manifest.json", "configuration.attempts", ""},       // above the number that was needed, it leaves no trace
+    {"manifest.json", "configuration.block", ""},          // how many tasks were planned together: likewise
+    {"reviews.jsonl", "comment", ""},                      // a person's words
+    {"demonstrations/M1.jsonl", "tempting[]", "swapped"},  // of two steps either may come first: as good a plan
 };
 
 struct Tally {

@@ -134,10 +134,11 @@ class Thing:
 
     initialized, root_link = True, "base_link"
 
-    def __init__(self, scene, name, category, fixed_base=False, in_rooms=(), **_):
+    def __init__(self, scene, name, category, fixed_base=False, in_rooms=(), scale=None, **_):
         from omnigibson import object_states as kinds
 
         self.scene, self.name, self.category, self.fixed_base, self.in_rooms = scene, name, category, fixed_base, list(in_rooms)
+        self.scale, self.position = scale, None  # in m, of a floor: that of a cube of 1 m, and its middle
         self._place = None
         self._abilities = _abilities_of(category)
         self.states = {kind: kind(self) for kind in kinds.OF_ALL}
@@ -161,6 +162,12 @@ class Thing:
             return self.place[1].room()
         return self.in_rooms[0] if self.in_rooms else None
 
+    def is_under(self, position):
+        """Whether a position (m) is above it; False where its size is not told."""
+        if self.position is None or self.scale is None:
+            return False
+        return all(abs(position[axis] - self.position[axis]) <= self.scale[axis] / 2 for axis in (0, 1))
+
     def set_position_orientation(self, position=None, orientation=None):
         self.place = position if isinstance(position, tuple) else None
 
@@ -169,18 +176,22 @@ class Thing:
 
 
 class Robot:
-    """Holds one thing, and lets it fall to the floor of the room that it is in."""
+    """Holds one thing, and lets it fall to the floor that it stands on."""
 
     exists, initialized, states = True, True, {}
 
     def __init__(self, scene, name):
         from omnigibson import object_states
 
-        self.scene, self.name, self.room = scene, name, None
+        self.scene, self.name, self.room, self.floor = scene, name, None, None
         self._ag_obj_in_hand = {"0": None}
         self.states = {object_states.IsGrasping: object_states.IsGrasping(self)}
 
-    def set_position_orientation(self, position, orientation): ...
+    def set_position_orientation(self, position, orientation):
+        self.floor = next((one for one in self._floors() if one.is_under(position)), None)
+
+    def _floors(self):
+        return [one for one in self.scene.things.values() if one.category == "floors"]
 
     def get_eef_position(self, arm):
         return None
@@ -192,8 +203,8 @@ class Robot:
         from omnigibson import object_states
 
         thing, self._ag_obj_in_hand["0"] = self._ag_obj_in_hand["0"], None
-        floors = [one for one in self.scene.things.values() if one.category == "floors"]
-        here = [one for one in floors if self.room in one.in_rooms]
+        floors = self._floors()
+        here = [self.floor] if self.floor else [one for one in floors if self.room in one.in_rooms]
         thing.place = (object_states.OnTop, (here or floors)[0])
 
 
@@ -204,6 +215,9 @@ class Scene:
         self.things, self.systems, self.placed = {}, {}, set()
         for one in info["objects_info"]["init_info"].values():
             self.things[one["args"]["name"]] = Thing(self, **one["args"])
+        for name, one in info.get("state", {}).get("object_registry", {}).items():
+            if name in self.things:
+                self.things[name].position = one.get("root_link", {}).get("pos")
         self.object_registry = self.system_registry = Registry(self)
         self.transition_rule_api = self
         self.names = info["metadata"]["task"]["inst_to_name"]
