@@ -9,6 +9,7 @@
 #include "cli/command_parser.h"
 #include "cli/commands.h"
 #include "core/files.h"
+#include "core/limits.h"
 #include "core/png.h"
 #include "grounding/scene_svg.h"
 #include "record/dataset_reader.h"
@@ -67,17 +68,21 @@ Paths paths_through(const std::vector<Scene>& scenes, const Profile& profile) {
   return paths;
 }
 
+/// "64 to 1024".
+std::string sides() {
+  return std::to_string(limits::kLeastRenderedSide) + " to " + std::to_string(limits::kRenderedSide);
+}
+
 /// Sets the size of the picture. Errors: Usage unless it is WIDTHxHEIGHT with both in range.
 Result<Done> resize(Profile& profile, const std::string& size) {
-  constexpr int kLeast = 64, kMost = 1024;
   const char* end = size.data() + size.size();
   int width = 0, height = 0;
   const auto [sign, bad] = std::from_chars(size.data(), end, width);
   const bool has_height = bad == std::errc() && sign != end && *sign == 'x';
   const auto [rest, bad_too] = std::from_chars(has_height ? sign + 1 : end, end, height);
-  const auto fits = [](int side) { return side >= kLeast && side <= kMost; };
+  const auto fits = [](int side) { return side >= limits::kLeastRenderedSide && side <= limits::kRenderedSide; };
   if (!has_height || bad_too != std::errc() || rest != end || !fits(width) || !fits(height))
-    return Error{Error::Kind::Usage, "--size", {}, "expected WIDTHxHEIGHT, each 64 to 1024 pixels, as in 500x500"};
+    return Error{Error::Kind::Usage, "--size", {}, "expected WIDTHxHEIGHT, each " + sides() + " pixels, as in 500x500"};
   profile.image_width = width;
   profile.image_height = height;
   return Done{};
@@ -190,7 +195,7 @@ void add_render_command(CommandParser& app, CommandLine& program) {
       ->one_of({"M1", "M2", "M3"})
       ->shows_default();
   command->add_flag("--boxes", options->boxes, "PNG: draw the boxes of the objects that the agent is told about");
-  command->add_option("--size", options->size, "PNG: pixels, each side 64 to 1024; otherwise the simulator's")
+  command->add_option("--size", options->size, "PNG: pixels, each side " + sides() + "; otherwise the simulator's")
       ->type_name("WIDTHxHEIGHT");
   command->add_option("--camera", options->camera, "PNG: the agent's own, one behind it, or one above the home")
       ->one_of({"agent", "behind", "above"})

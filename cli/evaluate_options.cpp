@@ -200,19 +200,19 @@ void add_server_options(CommandParser& command, EvaluateChoice& choice) {
       ->within(0.0, 2.0);
   command.add_option("--top-p", choice.top_p, "Nucleus sampling (default: the server's)")->within(0.0, 1.0);
   command.add_option("--max-tokens", choice.max_tokens, "Most tokens of a reply (default: the server's)")
-      ->within(1, 1'000'000);
+      ->within(1, limits::kAskedTokens);
   command.add_option("--sampling-seed", choice.sampling_seed,
                      "Seed that the server is sent; each further repeat adds 1 (default: none)");
   command.add_option("--extra", choice.extra, "Further fields of the request, as in {\"min_p\": 0.1}")
       ->type_name("JSON");
   command.add_option("--llm-timeout", choice.attempt_s, "Seconds for one attempt, or for a policy's reply")
-      ->within(0.01, 86'400.0)
+      ->within(limits::kLeastTimeout_s, limits::kTimeout_s)
       ->shows_default();
   command.add_option("--llm-attempts", choice.attempts, "Attempts per reply, when the server fails")
-      ->within(1, 100)
+      ->within(1, limits::kRequestAttempts)
       ->shows_default();
   command.add_option("--llm-wait", choice.first_wait_s, "Seconds before the second attempt; doubled each time")
-      ->within(0.0, 3600.0)
+      ->within(0.0, limits::kWait_s)
       ->shows_default();
   command.add_option("--price-in", choice.price_in, "Price of a million prompt tokens")->not_negative();
   command.add_option("--price-out", choice.price_out, "Price of a million reply tokens")->not_negative();
@@ -239,7 +239,7 @@ void add_evaluate_options(CommandParser& command, EvaluateChoice& choice) {
   add_telling_options(command, choice);
   add_server_options(command, choice);
   command.add_option("--at-once", choice.at_once, "Episodes at a time (default: 4 for a model, else the processors)")
-      ->within(1, 256);
+      ->within(1, limits::kRequests);
   command
       .add_option("--report-pictures", choice.report_pictures,
                   "Episodes that the report has pictures of, spread over modes, splits and results; --resume gives a "

@@ -59,7 +59,7 @@ inline constexpr std::size_t kObjectsInFile = 500'000;  // of all its homes
 inline constexpr std::size_t kNamedRooms = 100;  // distinguished by the names that objects give; more are no rooms
 // Of physics for a home, as SettleOptions::most_work counts it: some twenty times what 300 movable objects take that
 // stand apart. A heap of thousands would take hours.
-inline constexpr std::size_t kMostWork = 30'000'000;
+inline constexpr std::size_t kMostWork = 25'000'000;
 
 // Knowledge tables: what is larger is a slip of the unit (millimeters, grams).
 inline constexpr double kCategory_m = 100, kCategory_kg = 90'000;
@@ -94,6 +94,10 @@ inline constexpr int kIdle_s = 1'000'000;                // that a session may b
 // Answers of language models, which may be anything.
 inline constexpr std::size_t kAnswerBytes = std::size_t{4} << 20;  // of one HTTP answer
 inline constexpr std::int64_t kAnswerTokens = 1'000'000'000;       // as a server counts them
+inline constexpr int kRequests = 256;                              // at once
+inline constexpr int kRequestAttempts = 100;                       // of one request
+inline constexpr int kAskedTokens = 1'000'000;                     // of an answer, as a user may ask for
+inline constexpr double kLeastTimeout_s = 0.01, kTimeout_s = 86'400, kTotal_s = 864'000, kWait_s = 3600;
 // Files for a provider's batch service, which takes as many requests and 200 MB. What is more goes into further files.
 inline constexpr std::size_t kBatchLines = 50'000;
 inline constexpr std::size_t kBatchBytes = std::size_t{190} << 20;
@@ -103,6 +107,7 @@ inline constexpr std::size_t kAgentAnswerBytes = std::size_t{1} << 20;  // of on
 inline constexpr std::size_t kAgentActions = 100;                       // in one answer
 inline constexpr int kEpisodeSteps = 1'000'000'000;                     // that an episode may be allowed
 inline constexpr int kLeastImageSide = 16, kImageSide = 4096;           // pixels of a picture
+inline constexpr int kLeastRenderedSide = 64, kRenderedSide = 1024;     // of one that a person asks for
 inline constexpr std::size_t kEnvironments = 4096;                      // in a batch
 inline constexpr int kProceduralHomes = 1000;                           // of a simulator, kept for new tasks
 
