@@ -16,6 +16,8 @@ constexpr double kGapBelowPlaced_m = 0.0002;  // left under what is not let down
 constexpr double kHeadroom_m = 0.005;
 constexpr double kMostSlide_m = 0.01;  // what moves farther while it settles did not rest where it was put
 constexpr double kMostTilt_rad = 0.05;
+constexpr double kGapToLike_m = 0.006;  // between things of a kind in a row
+constexpr double kSameHeight_m = 0.03;  // between what stands on a surface and what would
 constexpr double kEdgeMargin_m = 0.01;  // between a footprint and the surface's edge, where there is room
 
 struct Footprint {
@@ -29,16 +31,48 @@ Vec2 turned(const Vec3& size, double yaw) {
   return {(c * size.x() + s * size.y()) / 2, (s * size.x() + c * size.y()) / 2};
 }
 
-/// A yaw at which the box fits on the surface, free where there is room, else along an axis; nullopt when none does.
-std::optional<Footprint> draw_footprint(const Vec3& size, const Vec2& room, Rng& rng) {
+/// A yaw at which the box fits on the surface, nullopt when none does: free where there is room, else along an axis;
+/// `straight`: along an axis, as people put things on shelves and into drawers.
+std::optional<Footprint> draw_footprint(const Vec3& size, const Vec2& room, bool straight, Rng& rng) {
   const double free = rng.uniform(-std::numbers::pi, std::numbers::pi);
   const double right_angle = std::numbers::pi / 2;
   const double first = rng.chance(0.5) ? 0.0 : right_angle;
-  for (const double yaw : {free, first, right_angle - first}) {
+  for (const double yaw : {straight ? first : free, first, right_angle - first}) {
     const Vec2 half = turned(size, yaw);
     if (half.x() <= room.x() && half.y() <= room.y()) return Footprint{half, yaw};
   }
   return std::nullopt;
+}
+
+/// Where the thing would stand in a row with one of its category on the surface, in the surface's frame in W: at its
+/// longer sides, turned as it is. Of two of them; as people put like things together.
+std::vector<Pose> places_in_a_row(const Workspace& workspace, const Node& node, std::size_t index, const Pose& frame,
+                                  const Surface& surface) {
+  constexpr std::size_t kMost = 4;
+  std::vector<Pose> places;
+  const Quat to_surface = frame.rotation.conjugate();
+  for (const std::size_t like : workspace.places().of(node.category)) {
+    if (like == index || places.size() == kMost) continue;
+    const Node& other = workspace.scene().nodes[like];
+    const Vec3 at = to_surface * (other.pose.position - frame.position) - surface.center;
+    const Quat turn = to_surface * other.pose.rotation;
+    const Vec3 up = turn * Vec3::UnitZ();
+    const bool stands = std::abs(at.z() - other.size.z() / 2) < kSameHeight_m && up.z() > std::cos(kMostTilt_rad);
+    if (!stands || std::abs(at.x()) > surface.half.x() || std::abs(at.y()) > surface.half.y()) continue;
+    const bool along_x = other.size.x() <= other.size.y();
+    const Vec3 side = turn * (along_x ? Vec3::UnitX() : Vec3::UnitY());
+    const double yaw = std::atan2(turn.toRotationMatrix()(1, 0), turn.toRotationMatrix()(0, 0));
+    const Vec2 room = surface.half - turned(node.size, yaw);
+    const double apart =
+        ((along_x ? other.size.x() + node.size.x() : other.size.y() + node.size.y())) / 2 + kGapToLike_m;
+    for (const double way : {1.0, -1.0}) {
+      const Vec2 there = (at + way * apart * side).head<2>();
+      if (std::abs(there.x()) > room.x() || std::abs(there.y()) > room.y()) continue;
+      const Vec3 on_surface = surface.center + Vec3(there.x(), there.y(), node.size.z() / 2 + kDropHeight_m);
+      places.push_back(frame * upright(on_surface, yaw));
+    }
+  }
+  return places;
 }
 
 double tilt_between(const Pose& a, const Pose& b) {
@@ -181,7 +215,14 @@ FoundPlace find_place(Workspace& workspace, const Node& node, std::size_t index,
   TrialNode trial(workspace, node, index);
   for (int draw = 0; draw < options.draws; ++draw) {
     const Surface& surface = surfaces[rng.weighted(areas)];
-    auto footprint = draw_footprint(node.size, surface.half, rng);
+    const Pose frame = host.pose * joint_motion(host_shape, surface.joint, host.opening);
+    if (draw == 0 && !options.aligned) {
+      for (const Pose& pose : places_in_a_row(workspace, node, index, frame, surface)) {
+        found.pose = try_pose(workspace, node.opening, trial, pose, relation, receptacle, options, found.obstacle);
+        if (found.pose) return found;
+      }
+    }
+    auto footprint = draw_footprint(node.size, surface.half, surface.cavity >= 0, rng);
     if (options.aligned) {
       const Vec2 straight = turned(node.size, 0);
       footprint = (surface.half - straight).minCoeff() < 0 ? std::nullopt : std::optional(Footprint{straight, 0});
@@ -194,7 +235,6 @@ FoundPlace find_place(Workspace& workspace, const Node& node, std::size_t index,
     const Vec2 room = (slack - Vec2::Constant(kEdgeMargin_m)).cwiseMax(slack / 2);
     const Vec3 on_surface = surface.center + Vec3(rng.uniform(-1, 1) * room.x(), rng.uniform(-1, 1) * room.y(),
                                                   node.size.z() / 2 + kDropHeight_m);
-    const Pose frame = host.pose * joint_motion(host_shape, surface.joint, host.opening);
     const Pose pose = frame * upright(on_surface, footprint->yaw);
     found.pose = try_pose(workspace, node.opening, trial, pose, relation, receptacle, options, found.obstacle);
     if (found.pose) return found;
@@ -209,7 +249,7 @@ FoundPlace find_place_on_floor(Workspace& workspace, const Node& node, std::size
   const Vec2 center = (area.low + area.high).head<2>() / 2, half = (area.high - area.low).head<2>() / 2;
   TrialNode trial(workspace, node, index);
   for (int draw = 0; draw < options.draws; ++draw) {
-    const auto footprint = draw_footprint(node.size, half, rng);
+    const auto footprint = draw_footprint(node.size, half, false, rng);
     if (!footprint) continue;
     const Vec2 slack = half - footprint->half;
     const Vec2 at = center + Vec2(rng.uniform(-1, 1) * slack.x(), rng.uniform(-1, 1) * slack.y());

@@ -18,6 +18,7 @@ constexpr double kUsualRoomFactor = 4;  // where no household says how rooms sui
 constexpr double kOnMovable = 0.1;      // of the weight of a place that is itself carried about, such as a bowl
 constexpr double kHeldByOthers = 0.5;   // things that a receptacle holds of which no home shows how many
 constexpr double kLeastSuits = 1e-6;
+constexpr double kWithLike = 3;  // of the weight of a place that has one of the category already: cups stand together
 constexpr int kReceptaclesPerTry = 3;
 constexpr double kSecond = 0.5;     // chance of a second thing where there is one already, to that of another category
 constexpr double kMostOften = 1.5;  // times the number of a thing in real homes, when more things are asked for
@@ -265,7 +266,10 @@ class Scatterer {
       const auto carried = carried_.find(node);
       const double crowd = carried == carried_.end() ? 0 : static_cast<double>(carried->second.size()) / (mean + 1);
       const bool carried_about = workspace_.household() != nullptr && workspace_.scene().nodes[node].movable;
-      const double share = likelihood * (carried_about ? kOnMovable : 1) / static_cast<double>(there->second.size());
+      const bool with_like = carried != carried_.end() && std::find(carried->second.begin(), carried->second.end(),
+                                                                    category) != carried->second.end();
+      const double share = likelihood * (carried_about ? kOnMovable : 1) * (with_like ? kWithLike : 1) /
+                           static_cast<double>(there->second.size());
       hosts.push_back({node, relation, share / (1 + crowd + crowd * crowd * crowd)});
     }
   }

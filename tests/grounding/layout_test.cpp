@@ -262,6 +262,29 @@ TEST_P(EveryHome, PutsThingsOnlyWhereTheKnowledgeAllows) {
   }
 }
 
+TEST_P(EveryHome, HasLikeThingsInRows) {
+  constexpr double kMostApart_m = 0.01;
+  int pairs = 0, in_a_row = 0;
+  for (const Scene& home : homes_) {
+    for (const Edge& edge : home.edges) {
+      const Node& one = *find_node(home, edge.from);
+      for (const Edge& other_edge : home.edges) {
+        if (other_edge.relation != edge.relation || other_edge.to != edge.to || !(edge.from < other_edge.from))
+          continue;
+        const Node& other = *find_node(home, other_edge.from);
+        const bool held = edge.relation == Predicate::On || edge.relation == Predicate::Inside;
+        if (!held || !one.movable || other.category != one.category) continue;
+        const double apart = (one.pose.position - other.pose.position).head<2>().norm();
+        ++pairs;
+        in_a_row +=
+            apart < (one.size.head<2>().minCoeff() + other.size.head<2>().minCoeff()) / 2 + kMostApart_m ? 1 : 0;
+      }
+    }
+  }
+  ASSERT_GE(pairs, 5);
+  EXPECT_GE(in_a_row, pairs / 4);
+}
+
 TEST_P(EveryHome, HasStatesThatFitTheAffordancesAndDoorsThatAgreeWithThem) {
   for (const Scene& home : homes_) {
     for (const Node& node : home.nodes) {
