@@ -4,6 +4,7 @@
 
 #include "annotator/meaning.h"
 #include "annotator/noun_table.h"
+#include "annotator/other_wordings.h"
 #include "annotator/sounds_right.h"
 #include "core/text.h"
 #include "small_knowledge.h"
@@ -94,10 +95,7 @@ TEST(NaturalWords, BringToARoomWhatIsSought) {
   EXPECT_THAT(texts, Each(Not(HasSubstr("put it in"))));
 }
 
-/// Texts of a goal of AI2-THOR as people ask for it, in a home that has one thing of each category.
-std::vector<std::string> everyday_texts(const std::string& goal, const std::vector<std::string>& categories,
-                                        const std::vector<std::string>& phrasings = {}) {
-  static const NounTable nouns(committed_knowledge(Simulator::Ai2thor), committed_names());
+Scene home_with(const std::vector<std::string>& categories) {
   Scene home;
   for (const std::string& category : categories) {
     Node node;
@@ -105,6 +103,14 @@ std::vector<std::string> everyday_texts(const std::string& goal, const std::vect
     node.category = category;
     home.nodes.push_back(node);
   }
+  return home;
+}
+
+/// Texts of a goal of AI2-THOR as people ask for it, in a home that has one thing of each category.
+std::vector<std::string> everyday_texts(const std::string& goal, const std::vector<std::string>& categories,
+                                        const std::vector<std::string>& phrasings = {}) {
+  static const NounTable nouns(committed_knowledge(Simulator::Ai2thor), committed_names());
+  const Scene home = home_with(categories);
   WritingOptions options;
   options.home = &home;
   options.tells_apart = true;
@@ -144,6 +150,21 @@ TEST(NaturalWords, AreThoseThatSoundRight) {
   sound("Open the box on the chest of drawers.", "Shut the box, then open the chest of drawers.");
   sound("Put enough forks on the table, one for each plate there.",
         "Put enough forks on the table, one for each platter there.");
+}
+
+TEST(NaturalWords, AskBehindASentence) {
+  const Knowledge& knowledge = committed_knowledge(Simulator::Ai2thor);
+  static const NounTable nouns(knowledge, committed_names());
+  Instruction command;
+  command.text = "I want to make a stew. Get something to make it in and put it on the counter.";
+  const auto requests =
+      requests_for(command, asking("(exists (?a - Pot) (exists (?b - CounterTop) (at-end (on ?a ?b))))"), knowledge,
+                   nouns, home_with({"Pot", "CounterTop"}), {}, 9);
+  std::vector<std::string> texts;
+  for (const Instruction& request : requests) texts.push_back(request.text);
+  EXPECT_THAT(texts,
+              Contains("I want to make a stew. Could you get something to make it in and put it on the counter?"));
+  EXPECT_THAT(texts, Each(testing::StartsWith("I want to make a stew. ")));
 }
 
 TEST(NaturalWords, CountNothingThatIsNotCounted) {
