@@ -17,6 +17,20 @@ bool contains(std::span<const std::string> words, std::string_view word) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
+std::string joined(std::span<const Token> words) {
+  std::string text;
+  for (const Token& word : words) text += (text.empty() ? "" : " ") + word.text;
+  return text;
+}
+
+/// "Half pizza" and "slice of bread", of "pizza" and "bread".
+bool is_part(std::string_view part, std::string_view whole) {
+  constexpr std::array<std::string_view, 3> kParts{"half ", "slice of ", "piece of "};
+  return std::any_of(kParts.begin(), kParts.end(), [&](std::string_view before) {
+    return part.starts_with(before) && part.substr(before.size()) == whole;
+  });
+}
+
 /// "Eyeglasses" of "pair of eyeglasses".
 std::string_view head(std::string_view name) {
   constexpr std::string_view kPair = "pair of ";
@@ -40,6 +54,11 @@ class Listener {
       if (edge.relation == Predicate::InRoom) room_of_[edge.from] = type_of[edge.to];
     for (const Node& node : home.nodes)
       if (!contains(own_, node.category)) others_.insert(node.category);
+    for (std::size_t i = 0; i < words_.size();) {
+      const std::size_t length = nouns.noun_at(words_, i).length;
+      if (length > 0) said_.insert(joined(std::span(words_).subspan(i, length)));
+      i += std::max<std::size_t>(length, 1);
+    }
   }
 
   bool takes_another() const {
@@ -54,16 +73,52 @@ class Listener {
   bool hears_other(const std::string& own) const {
     const NounTable::Name* name = nouns_.display(own);
     const Category* known = knowledge_.find(own);
-    if (name == nullptr || known == nullptr || !says_name(*name)) return false;
+    if (name == nullptr || known == nullptr) return false;
+    if (hears_other_synonym(own) || wishes_for_part(known->display)) return true;
+    if (!says_name(*name)) return false;
     const std::string_view place = place_in(name->singular);
     if (!place.empty() && says_twice(*name, place)) return true;
     if (!known->movable && !place.empty() && !stands_in(own, known->rooms) && !stands_in_any_room(own)) return true;
     const auto alike = nouns_.everyday()->look_alikes(known->display);
     return std::any_of(others_.begin(), others_.end(), [&](const std::string& there) {
       const Category* other = knowledge_.find(there);
-      return other != nullptr && (contains(alike, other->display) || is_called(there, *other, name->singular)) &&
+      return other != nullptr && (is_among(alike, *other) || is_called(there, *other, name->singular)) &&
              (place.empty() || !is_room(place) || stands_in(there, std::array{std::string(place)}));
     });
+  }
+
+  /// "The counter", of the kitchen counter, where there is a bathroom counter.
+  bool hears_other_synonym(const std::string& own) const {
+    const auto synonyms = nouns_.synonyms(own);
+    return std::any_of(synonyms.begin(), synonyms.end(), [&](const NounTable::Name& name) {
+      return (said_.contains(joined(tokens_of(name.singular))) || said_.contains(joined(tokens_of(name.plural)))) &&
+             has_one_of(nouns_.everyday()->look_alikes(name.singular));
+    });
+  }
+
+  /// "I'd like a warm piece of bread.", where there is a loaf to cut one from.
+  bool wishes_for_part(std::string_view own) const {
+    constexpr std::array<std::string_view, 3> kWishes{"I'd like ", "I could use ", "I want "};
+    const bool wishes = std::any_of(kWishes.begin(), kWishes.end(),
+                                    [&](std::string_view wish) { return text_.find(wish) != std::string::npos; });
+    return wishes && std::any_of(others_.begin(), others_.end(), [&](const std::string& there) {
+             const Category* other = knowledge_.find(there);
+             return other != nullptr && is_part(own, other->display);
+           });
+  }
+
+  bool has_one_of(std::span<const std::string> alike) const {
+    return std::any_of(others_.begin(), others_.end(), [&](const std::string& there) {
+      const Category* other = knowledge_.find(there);
+      return other != nullptr && is_among(alike, *other);
+    });
+  }
+
+  /// By name or by kind.
+  static bool is_among(std::span<const std::string> alike, const Category& other) {
+    return contains(alike, other.display) ||
+           std::any_of(other.kinds.begin(), other.kinds.end(),
+                       [&](const std::string& kind) { return contains(alike, "kind " + kind); });
   }
 
   /// "The kitchen cabinets in the kitchen": as if there were others.
@@ -112,12 +167,7 @@ class Listener {
     return std::any_of(nouns_.phrases().begin(), nouns_.phrases().end(), [&](const auto& entry) {
       const NounTable::Phrase& phrase = entry.second;
       const std::string& said = phrase.need.empty() ? phrase.text : phrase.need;
-      if (text_.find(said) == std::string::npos) return false;
-      const auto alike = nouns_.everyday()->look_alikes(said);
-      return std::any_of(others_.begin(), others_.end(), [&](const std::string& there) {
-        const Category* other = knowledge_.find(there);
-        return other != nullptr && contains(alike, other->display);
-      });
+      return text_.find(said) != std::string::npos && has_one_of(nouns_.everyday()->look_alikes(said));
     });
   }
 
@@ -159,6 +209,7 @@ class Listener {
   const NounTable& nouns_;
   std::vector<std::string> own_;                          // categories of the goal
   std::set<std::string> others_;                          // and of what else is there
+  std::set<std::string> said_;                            // names that the text says, in full
   std::map<std::string_view, std::string_view> room_of_;  // the type of room that a node is in
 };
 

@@ -17,7 +17,7 @@ using Op = Formula::Op;
 using Text = std::optional<std::string>;
 
 /// After which something may be named by its use alone.
-constexpr std::array<std::string_view, 4> kFetches{"get ", "grab ", "bring ", "find "};
+constexpr std::array<std::string_view, 5> kFetches{"get ", "fetch ", "grab ", "bring ", "find "};
 
 /// Words that go with one thing.
 constexpr std::array<std::string_view, 6> kOfOne{"it", "is", "has", "belongs", "goes", "one"};
@@ -238,6 +238,9 @@ class Author {
       const bool all = before.ends_with("the ") && !before.ends_with("ne of the ");
       return many && all && many->starts_with("pairs of ") ? std::nullopt : many;  // "all the pants"
     }
+    // "A warm macaroni and cheese"
+    const bool counts_one = before.ends_with(" a ") || before.ends_with(" a warm ") || before.ends_with(" a cold ");
+    if (counts_one && !naming_.is_countable(thing.noun)) return std::nullopt;
     const Text one = naming_.singular(thing.noun);
     return one && one->starts_with("pair of ") ? std::nullopt : one;  // "the pants that are on the chair"
   }

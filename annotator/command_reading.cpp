@@ -58,7 +58,7 @@ Clause ClauseReader::command() {
   moving_ = repeated || words_.accept_one({"put", "place", "set"}) >= 0;
   if (moving_) return moved();
   if (words_.accept_one({"move", "transfer", "carry"}) >= 0) return moved_to();
-  if (words_.accept_one({"remove", "take", "get", "bring"}) >= 0) return taken();
+  if (words_.accept_one({"remove", "take", "get", "fetch", "bring"}) >= 0) return taken();
   if (words_.accept("fill")) return with_symbol(P::Filled);
   if (words_.accept("cover")) return with_symbol(P::Covered);
   if (words_.accept("pour")) return symbol_first(P::Filled, "into", false);

@@ -6,7 +6,7 @@
 namespace unietp {
 namespace {
 
-/// The rows of a table by name. `cells_of` reads what else stands in a row.
+/// The rows of a table by name, of which a row may have several. `cells_of` reads what else stands in a row.
 template <class Row, class CellsOf>
 std::map<std::string, Row, std::less<>> rows_by_name(const std::filesystem::path& path,
                                                      const std::vector<std::string>& columns, const CellsOf& cells_of,
@@ -20,10 +20,12 @@ std::map<std::string, Row, std::less<>> rows_by_name(const std::filesystem::path
   RowReader row(path.string(), *text, columns, errors);
   for (const auto& cells : row.rows()) {
     row.at(cells);
-    const std::string name = row.required("name");
-    Row read = cells_of(row);
+    row.required("name");
+    const auto names = row.list("name");
+    const Row read = cells_of(row);
     row.required("source");
-    if (row.sound() && !rows.emplace(name, std::move(read)).second) row.fail("name", "'" + name + "' stands twice");
+    for (const std::string& name : names)
+      if (row.sound() && !rows.emplace(name, read).second) row.fail("name", "'" + name + "' stands twice");
   }
   return rows;
 }

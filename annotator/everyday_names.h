@@ -28,7 +28,8 @@ class EverydayNames {
   };
 
   EverydayNames() = default;
-  /// A row of look_alikes.csv: other things that people may call so, too, by what the knowledge base calls them.
+  /// A row of look_alikes.csv: other things that people may call so, too, by what the knowledge base calls them, or
+  /// "kind raw_meat" for all of a kind of data/sense/kinds.csv.
   using Others = std::vector<std::string>;
   EverydayNames(std::map<std::string, Forms, std::less<>> names, std::map<std::string, Use, std::less<>> rare,
                 std::map<std::string, Others, std::less<>> look_alikes = {});
@@ -39,8 +40,8 @@ class EverydayNames {
   /// Whether a text may use a synonym of the knowledge base: false for what only a dictionary, a shop or the other
   /// English says.
   bool is_said(std::string_view synonym, English english) const;
-  /// What a home must not have for the name of a thing to mean this thing: a nightstand is a side table, too. Names of
-  /// the knowledge base; empty for what has no row.
+  /// What a home must not have for the name of a thing, or a phrase, to mean this thing: a nightstand is a side table,
+  /// too. As in the table; empty for what has no row.
   std::span<const std::string> look_alikes(std::string_view name) const;
 
  private:
@@ -49,9 +50,9 @@ class EverydayNames {
   std::map<std::string, Others, std::less<>> look_alikes_;
 };
 
-/// Reads everyday_names.csv and rare_names.csv (name,us,gb,source) and look_alikes.csv (name,others,source; others
-/// separated by `|`) of a folder (data/english). Errors are appended, with file, line and column: Io, Parse, Schema;
-/// Schema for a name that stands twice.
+/// Reads everyday_names.csv and rare_names.csv (name,us,gb,source) and look_alikes.csv (name,others,source) of a folder
+/// (data/english); several names, and others, are separated by `|`. Errors are appended, with file, line and column:
+/// Io, Parse, Schema; Schema for a name that stands twice.
 EverydayNames read_everyday_names(const std::filesystem::path& folder, std::vector<Error>& errors);
 
 }  // namespace unietp

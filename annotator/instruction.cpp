@@ -21,6 +21,7 @@
 #include "annotator/phrasing_sets.h"
 #include "annotator/plan.h"
 #include "annotator/realize.h"
+#include "annotator/sounds_right.h"
 #include "annotator/style.h"
 #include "annotator/word_check.h"
 #include "core/text.h"
@@ -181,34 +182,6 @@ class TextChecker {
 /// Americans turn lights and machines on, and have gray cats.
 std::string american(std::string text) {
   return replace_all(replace_all(std::move(text), " grey ", " gray "), " switched o", " turned o");
-}
-
-/// "Fill something to drink from with water", "put something to read on on the bed", "grab me it",
-/// "pick up something to dry them with", "wash something to cover up with", which who needs it now does not want wet.
-bool sounds_right(const std::string& text) {
-  constexpr std::array kNever{" from with ", " with with ",    " in with ",      " on with ",       " on on ",
-                              " on in ",     " in in ",        " in on ",        " with on ",       " with in ",
-                              " me it.",     " on something ", " turned on to ", " turned off to ", " at first"};
-  constexpr std::array kNeverNeeded{"ick up something ", "ash something to cover ", "lean something to cover ",
-                                    "ash something to dry ", "lean something to dry "};
-  // "… the fork nearest to the oven in the dishwasher": into it, or so it is heard as where the oven is.
-  constexpr std::string_view kNearest = " nearest to ";
-  if (const std::size_t near = text.find(kNearest); near != std::string::npos) {
-    const std::string rest = text.substr(0, text.find_first_of(",.", near)).substr(near);
-    const std::size_t in = std::min(rest.find(" in the "), rest.find(" in a "));
-    if (in < rest.find(" and ")) return false;
-  }
-  // "… put the taco on the table. Put the plum on it.": on the taco?
-  std::size_t from = 0;
-  bool placed = false;
-  for (std::size_t end = text.find('.'); end != text.npos; from = end + 2, end = text.find('.', from)) {
-    const std::string sentence = text.substr(std::min(from, end), end - std::min(from, end));
-    if (placed && (sentence.ends_with(" on it") || sentence.ends_with(" in it"))) return false;
-    placed = lower(sentence).find("put ") != sentence.npos || lower(sentence).find("place ") != sentence.npos;
-  }
-  const auto says = [&](const char* words) { return text.find(words) != text.npos; };
-  return std::none_of(kNever.begin(), kNever.end(), says) &&
-         std::none_of(kNeverNeeded.begin(), kNeverNeeded.end(), says);
 }
 
 /// "Get something to drink it from and put it on the desk", not "take something to drink it from to the kitchen" nor

@@ -40,7 +40,8 @@ std::vector<Instruction> requests_for(const Instruction& command, const Specific
   const std::string& text = command.text;
   if (!text.ends_with('.')) return {};
   // "There is a mug on the desk. Can you wash it?", "Can you slice the apple? Put one of the slices on a plate."
-  const bool told = command.style == Style::Anaphora || command.style == Style::Context;
+  const bool told = command.style == Style::Anaphora || command.style == Style::Context ||
+                    nouns.sentence_at(tokens_of(text), 0).first != nullptr;
   const std::size_t last = text.find_last_of(".?", text.size() - 2);
   if (told && last == text.npos) return {};
   std::size_t begin = told ? last + 2 : 0;

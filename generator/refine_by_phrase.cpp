@@ -117,7 +117,28 @@ std::ptrdiff_t carried_in(const Formula& goal, const Knowledge& knowledge) {
   });
 }
 
+/// Whether a thing may be named by a phrase, for what the goal wants done with it.
+bool may_use_phrase(Style style, const GoalVariable& variable, const Specification& plain, const Knowledge& knowledge,
+                    const PlaceUses* uses) {
+  const auto asked = predicates_of(plain.goal, variable.variable);
+  const bool held = std::find(asked.begin(), asked.end(), Predicate::Held) != asked.end();
+  if (style == Style::Context) return is_got_ready(variable, plain) && !is_put_away(variable, plain, knowledge, uses);
+  if (style == Style::Hypernym && held) return false;  // "pick up a piece of clothing"
+  const bool any_kind = style == Style::Hypernym || style == Style::Function;
+  return !any_kind || may_be_any_kind(variable, plain, knowledge, uses);
+}
+
 }  // namespace
+
+bool may_use_phrases(Style style, const Specification& plain, const Knowledge& knowledge, const PlaceUses* uses) {
+  if (!names_by_phrase(style)) return true;
+  if (style == Style::Context && carried_in(plain.goal, knowledge) > 1) return false;
+  const auto variables = singular_variables(plain.goal);
+  return std::all_of(variables.begin(), variables.end(), [&](const GoalVariable& variable) {
+    const auto* category = knowledge.find(variable.category);
+    return category == nullptr || !category->movable || may_use_phrase(style, variable, plain, knowledge, uses);
+  });
+}
 
 AliasKind phrases_of(Style style) {
   switch (style) {
@@ -140,14 +161,7 @@ std::optional<Specification> refine_by_phrase(const Specification& plain, const 
   const bool any_kind = style == Style::Hypernym || style == Style::Function;
   std::vector<std::string> choices;
   for (const auto& variable : singular_variables(plain.goal)) {
-    if (style == Style::Context &&
-        (!is_got_ready(variable, plain) || is_put_away(variable, plain, knowledge, offer.uses)))
-      continue;
-    const auto asked = predicates_of(plain.goal, variable.variable);
-    const bool held = std::find(asked.begin(), asked.end(), Predicate::Held) != asked.end();
-    if (style == Style::Hypernym && held) continue;                     // "pick up a piece of clothing"
-    if (style == Style::Context && held && asked.size() > 1) continue;  // "wash something to eat it with and hold it"
-    if (any_kind && !may_be_any_kind(variable, plain, knowledge, offer.uses)) continue;
+    if (!may_use_phrase(style, variable, plain, knowledge, offer.uses)) continue;
     const auto* category = knowledge.find(variable.category);
     if (category != nullptr && (category->movable || style != Style::Function)) choices.push_back(variable.category);
   }

@@ -299,6 +299,7 @@ std::string word_table(const std::vector<std::pair<std::string, WordFigures>>& s
         return f.like_human.empty() ? "-" : decimal(distance_to_human(f.like_human, human), 3);
       },
       alike == 0 ? "" : decimal(distance_within_human(alike, human), 3));
+  out << "parts of speech: ./check tags FOLDER GOALS.jsonl.gz, with a tagger of npm\n";
   return out.str();
 }
 

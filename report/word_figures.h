@@ -69,7 +69,8 @@ double distance_to_human(const Bigrams& ours, const HumanGoals& human, std::uint
 /// The same between two samples of the human goals, of `pairs` each: what chance alone gives.
 double distance_within_human(int pairs, const HumanGoals& human, std::uint64_t seed = 1);
 
-/// A table of these figures of several data sets beside the human ones, for people.
+/// A table of these figures of several data sets beside the human ones, for people. The last line says what prints the
+/// same of parts of speech, for which a tagger is needed.
 std::string word_table(const std::vector<std::pair<std::string, WordFigures>>& sets, const HumanGoals& human);
 
 }  // namespace unietp

@@ -9,6 +9,7 @@
 #include "annotator/other_wordings.h"
 #include "annotator/phrasing_sets.h"
 #include "dataset/candidate_number.h"
+#include "generator/phrase_kind.h"
 #include "record/dataset_reader.h"
 #include "resources/own_phrasings.h"
 #include "rewording/referring_goal.h"
@@ -31,10 +32,12 @@ std::set<std::string> texts_of_goal(const WordingsEntry& entry) {
 class PairWriter {
  public:
   PairWriter(const WordedTask& task, const Scene& start, const DemonstrationRecord& demonstration,
-             const Backend& backend, std::span<const std::string> phrasings_of_template, const PairOptions& options)
+             const Backend& backend, const PlaceUses& uses, std::span<const std::string> phrasings_of_template,
+             const PairOptions& options)
       : task_(task),
         start_(start),
         backend_(backend),
+        uses_(uses),
         english_(options.english),
         contrasts_(options.contrasts),
         wordings_(options.wordings),
@@ -108,6 +111,12 @@ class PairWriter {
     }
   }
 
+  /// Whether people name the things of the goal so: a task has it, or it fits.
+  bool fits(Style style) const {
+    return style == task_.specification.style ||
+           may_use_phrases(style, task_.specification, backend_.knowledge, &uses_);
+  }
+
   /// Plain texts first, the template's own among them; then in one style after the other.
   void add_others(WordingsEntry& pair, std::size_t wordings, WritingOptions writing) const {
     writing.phrasings_of_template = phrasings_of_template_;
@@ -116,6 +125,7 @@ class PairWriter {
       const auto known = texts_of_goal(pair);
       if (known.size() >= wordings) return;
       specification.style = static_cast<Style>(style);
+      if (!fits(specification.style)) continue;
       for (Instruction& other : other_wordings(specification, backend_.knowledge, backend_.nouns_in(english_), writing,
                                                known, wordings - known.size(), rng_.fork("others", style))) {
         other.phrasing = 0;  // of a task's instruction only
@@ -135,6 +145,7 @@ class PairWriter {
   const WordedTask& task_;
   const Scene& start_;
   const Backend& backend_;
+  const PlaceUses& uses_;
   English english_;
   bool contrasts_;
   std::size_t wordings_;
@@ -150,7 +161,8 @@ Result<WordingsEntry> paired_wordings(const WordedTask& task, const Scene& start
                                       const DemonstrationRecord& demonstration, const Resources& resources,
                                       const PairOptions& options) {
   return PairWriter(task, start, demonstration, resources.backend(task.specification.simulator),
-                    phrasings_of_template(resources, task.record.template_name), options)
+                    resources.sense->common.place_uses(), phrasings_of_template(resources, task.record.template_name),
+                    options)
       .pair();
 }
 

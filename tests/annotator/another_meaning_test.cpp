@@ -30,9 +30,10 @@ Scene home_with(const std::vector<std::pair<std::string, std::string>>& things) 
   return home;
 }
 
-bool is_unclear(const std::string& text, const std::string& goal, const Scene& home) {
-  const Knowledge& knowledge = committed_knowledge(Simulator::Behavior);
-  static const NounTable nouns(knowledge, committed_names());
+bool is_unclear(const std::string& text, const std::string& goal, const Scene& home,
+                Simulator simulator = Simulator::Behavior) {
+  const Knowledge& knowledge = committed_knowledge(simulator);
+  const NounTable nouns(knowledge, committed_names());
   return may_mean_another(text, *parse_formula("test", goal, FormulaUse::Goal), home, knowledge, nouns);
 }
 
@@ -66,6 +67,35 @@ TEST(AnotherMeaning, IsThatOfWhatWouldDoAsWell) {
   const std::string text = "Get an alcoholic drink and put it on the coffee table.";
   EXPECT_FALSE(is_unclear(text, goal, home_with({{"bottle_of_gin", "kitchen"}, {"coffee_table", "living_room"}})));
   EXPECT_TRUE(is_unclear(text, goal, home_with({{"bottle_of_gin", "kitchen"}, {"wine_bottle", "kitchen"}})));
+}
+
+TEST(AnotherMeaning, IsThatOfAnotherOfTheKindThatWouldDo) {
+  const std::string goal = "(exists (?a - (either apple bananas)) (exists (?b - kitchencounter) (at-end (on ?a ?b))))";
+  const std::string text = "Put a snack on the kitchen counter.";
+  const auto is_unclear_with = [&](const std::string& category) {
+    return is_unclear(text, goal, home_with({{"kitchencounter", "kitchen"}, {category, "kitchen"}}),
+                      Simulator::Virtualhome);
+  };
+  EXPECT_FALSE(is_unclear_with("plate"));
+  EXPECT_TRUE(is_unclear_with("poundcake"));
+}
+
+TEST(AnotherMeaning, IsThatOfASynonymAlone) {
+  const std::string goal = "(exists (?a - towel) (exists (?b - kitchencounter) (at-end (on ?a ?b))))";
+  const Scene home = home_with({{"kitchencounter", "kitchen"}, {"bathroomcounter", "bathroom"}});
+  EXPECT_TRUE(is_unclear("Put the towel on the counter.", goal, home, Simulator::Virtualhome));
+  EXPECT_FALSE(is_unclear("Put the towel on the kitchen counter.", goal, home, Simulator::Virtualhome));
+  EXPECT_FALSE(is_unclear("Put the towel on the counter.", goal, home_with({{"kitchencounter", "kitchen"}}),
+                          Simulator::Virtualhome));
+}
+
+TEST(AnotherMeaning, OfAWishIsThatOfAPieceYetToBeCut) {
+  const std::string goal = "(exists (?a - BreadSliced) (exists (?b - Plate) (at-end (and (hot ?a) (on ?a ?b)))))";
+  const Scene home = home_with({{"BreadSliced", "kitchen"}, {"Bread", "kitchen"}, {"Plate", "kitchen"}});
+  EXPECT_TRUE(is_unclear("I could use a warm piece of bread. Set it on the plate.", goal, home, Simulator::Ai2thor));
+  EXPECT_FALSE(is_unclear("Heat the piece of bread and put it on the plate.", goal, home, Simulator::Ai2thor));
+  EXPECT_FALSE(is_unclear("I could use a warm piece of bread. Set it on the plate.", goal,
+                          home_with({{"BreadSliced", "kitchen"}, {"Plate", "kitchen"}}), Simulator::Ai2thor));
 }
 
 TEST(AnotherMeaning, IsThatOfWhatStandsAtTheDoorOfTheRoom) {

@@ -99,6 +99,9 @@ TEST(EverydayNames, HaveLookAlikes) {
   const std::string header = "name,us,gb,source\n";
   EXPECT_THAT(errors_of(header, header, "name,others,source\nstand,,curated\nbox,carton,\nbox,carton,curated\n"),
               ElementsAre(StartsWith("look_alikes.csv:3:12: ")));
+  EXPECT_THAT(errors_of(header, header, "name,others,source\nstand|box,carton,curated\nbox,carton,curated\n"),
+              ElementsAre(StartsWith("look_alikes.csv:3:1: schema error: 'box' stands twice")));
+  EXPECT_THAT(committed_names()->look_alikes("fan"), ElementsAre("ceiling fan"));
   EXPECT_THAT(committed_names()->look_alikes("stand"), ::testing::Contains("nightstand"));
   EXPECT_THAT(committed_names()->look_alikes("mug"), IsEmpty());
 }

@@ -4,6 +4,8 @@
 
 #include "annotator/meaning.h"
 #include "annotator/noun_table.h"
+#include "annotator/other_wordings.h"
+#include "annotator/sounds_right.h"
 #include "core/text.h"
 #include "small_knowledge.h"
 #include "tests/support/committed_knowledge.h"
@@ -93,9 +95,7 @@ TEST(NaturalWords, BringToARoomWhatIsSought) {
   EXPECT_THAT(texts, Each(Not(HasSubstr("put it in"))));
 }
 
-/// Texts of a goal of AI2-THOR as people ask for it, in a home that has one thing of each category.
-std::vector<std::string> everyday_texts(const std::string& goal, const std::vector<std::string>& categories) {
-  static const NounTable nouns(committed_knowledge(Simulator::Ai2thor), committed_names());
+Scene home_with(const std::vector<std::string>& categories) {
   Scene home;
   for (const std::string& category : categories) {
     Node node;
@@ -103,13 +103,22 @@ std::vector<std::string> everyday_texts(const std::string& goal, const std::vect
     node.category = category;
     home.nodes.push_back(node);
   }
+  return home;
+}
+
+/// Texts of a goal of AI2-THOR as people ask for it, in a home that has one thing of each category.
+std::vector<std::string> everyday_texts(const std::string& goal, const std::vector<std::string>& categories,
+                                        const std::vector<std::string>& phrasings = {}) {
+  static const NounTable nouns(committed_knowledge(Simulator::Ai2thor), committed_names());
+  const Scene home = home_with(categories);
   WritingOptions options;
   options.home = &home;
   options.tells_apart = true;
+  options.phrasings_of_template = phrasings;
   std::vector<std::string> texts;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
-    const auto written =
-        write_instruction(asking(goal, "direct"), committed_knowledge(Simulator::Ai2thor), nouns, options, Rng(seed));
+    const auto written = write_instruction(asking(goal, phrasings.empty() ? "direct" : "implicit-need"),
+                                           committed_knowledge(Simulator::Ai2thor), nouns, options, Rng(seed));
     if (written) texts.push_back(written->text);
   }
   return texts;
@@ -127,6 +136,44 @@ TEST(NaturalWords, PutThingsAwayWhereThingsAreKept) {
   const Knowledge& knowledge = committed_knowledge(Simulator::Ai2thor);
   EXPECT_TRUE(check_instruction("Put a plate on a dining table.", task, knowledge).empty());
   EXPECT_FALSE(check_instruction("Put a plate away on a dining table.", task, knowledge).empty());
+}
+
+TEST(NaturalWords, AreThoseThatSoundRight) {
+  const auto sound = [](const std::string& right, const std::string& wrong) {
+    EXPECT_TRUE(sounds_right(right)) << right;
+    EXPECT_FALSE(sounds_right(wrong)) << wrong;
+  };
+  sound("Put both pieces of bread on the table.", "Put both pieces of juice on the table.");
+  sound("Put a couple of mugs in the wardrobe.", "Put a couple of baby shoes in the wardrobe.");
+  sound("Put a couple of shirts in the box next to the shoes.", "Put a couple of gloves on the bed.");
+  sound("Close the brown chest of drawers.", "Open up the brown chest of drawers.");
+  sound("Open the box on the chest of drawers.", "Shut the box, then open the chest of drawers.");
+  sound("Put enough forks on the table, one for each plate there.",
+        "Put enough forks on the table, one for each platter there.");
+}
+
+TEST(NaturalWords, AskBehindASentence) {
+  const Knowledge& knowledge = committed_knowledge(Simulator::Ai2thor);
+  static const NounTable nouns(knowledge, committed_names());
+  Instruction command;
+  command.text = "I want to make a stew. Get something to make it in and put it on the counter.";
+  const auto requests =
+      requests_for(command, asking("(exists (?a - Pot) (exists (?b - CounterTop) (at-end (on ?a ?b))))"), knowledge,
+                   nouns, home_with({"Pot", "CounterTop"}), {}, 9);
+  std::vector<std::string> texts;
+  for (const Instruction& request : requests) texts.push_back(request.text);
+  EXPECT_THAT(texts,
+              Contains("I want to make a stew. Could you get something to make it in and put it on the counter?"));
+  EXPECT_THAT(texts, Each(testing::StartsWith("I want to make a stew. ")));
+}
+
+TEST(NaturalWords, CountNothingThatIsNotCounted) {
+  const auto texts_with = [](const std::string& food) {
+    return everyday_texts("(exists (?a - " + food + ") (exists (?b - Plate) (at-end (and (hot ?a) (on ?a ?b)))))",
+                          {food, "Plate"}, {"I'd like a warm {A}. Put it {B:on}."});
+  };
+  EXPECT_THAT(texts_with("Potato"), Contains("I'd like a warm potato. Put it on the plate."));
+  EXPECT_THAT(texts_with("Bread"), Each(Not(HasSubstr("a warm bread"))));
 }
 
 TEST(NaturalWords, NameNothingThatAnotherThingOfTheHomeMayBeCalled) {

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "generator/domain_constraints.h"
+#include "generator/phrase_kind.h"
 #include "generator/propose.h"
 #include "generator/specification.h"
 #include "generator/style_fit.h"
@@ -184,6 +185,22 @@ TEST(RealKnowledge, NobodyLeavesOpenWhichThingIsPutAwayOrChanged) {
     EXPECT_FALSE(can_be_said("place-one-inside", {{"A", thing}, {"B", "Cabinet"}}, style)) << style;
     EXPECT_FALSE(can_be_said("wash-one", {{"A", thing}, {"T", "Sink"}}, style)) << style;
   }
+}
+
+/// "I'm bored and want to read. Shut something to read."
+TEST(RealKnowledge, APhraseNamesOnlyWhatIsWantedForItsUse) {
+  const auto& knowledge = committed_knowledge(Simulator::Ai2thor);
+  const auto may = [&](const char* name, const Binding& binding, Style style) {
+    const auto plain = instantiate(library_template(name), knowledge, binding);
+    EXPECT_TRUE(plain) << format(plain.error());
+    return plain && may_use_phrases(style, *plain, knowledge, offer_of_uses().uses);
+  };
+  EXPECT_TRUE(may("place-one-on", {{"A", "Book"}, {"B", "Desk"}}, Style::Context));
+  EXPECT_FALSE(may("close-one", {{"A", "Book"}}, Style::Context));
+  EXPECT_TRUE(may("close-one", {{"A", "Book"}}, Style::Alias));
+  EXPECT_TRUE(may("place-one-on", {{"A", "Bowl"}, {"B", "CoffeeTable"}}, Style::Hypernym));
+  EXPECT_FALSE(may("place-one-inside", {{"A", "Bowl"}, {"B", "Cabinet"}}, Style::Hypernym));
+  EXPECT_FALSE(may("wash-one", {{"A", "Cup"}, {"T", "Sink"}}, Style::Function));
 }
 
 /// "A snack" for an apple, where nothing else will do, is a riddle.

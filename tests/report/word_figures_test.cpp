@@ -92,6 +92,7 @@ TEST(WordFigures, TheTableHasTheWordsOfPeopleBesideThoseOfAllSplitsAlone) {
   EXPECT_EQ(cells_after("mean words, all"), (Cells{"3.0", "9.2"})) << table;
   EXPECT_EQ(cells_after("mean words, atomic and compositional"), (Cells{"3.0"}));
   EXPECT_EQ(cells_after("mean words, other splits"), (Cells{"3.0"}));
+  EXPECT_TRUE(table.ends_with("parts of speech: ./check tags FOLDER GOALS.jsonl.gz, with a tagger of npm\n")) << table;
 }
 
 TEST(WordFigures, OfPeopleAreReadFromTheirFilesAndFaultsAreTold) {
