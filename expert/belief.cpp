@@ -28,11 +28,12 @@ std::optional<State> other_than(const State& wanted) {
   return std::nullopt;
 }
 
-/// What a goal presupposes of furniture that was not seen: that there is something to do.
+/// What a goal presupposes of furniture that was not seen: that there is something to do. How it looks and how large it
+/// is are no states, and nothing is presupposed of them.
 void presume(Node& node, const SearchNeeds& needs) {
   for (const bool stated : {false, true}) {
     for (const WantedState& wanted : needs.states) {
-      if (wanted.stated != stated) continue;
+      if (wanted.stated != stated || wanted.is_look() || wanted.state.predicate == Predicate::Size) continue;
       const auto& of = wanted.categories;
       if (!holds(of, node.category)) continue;
       if (wanted.positive == stated) {
@@ -50,6 +51,9 @@ void presume(Node& node, const SearchNeeds& needs) {
 
 Belief::Belief(const Scene& known_scene, const SearchNeeds& needs, std::set<std::string> relevant)
     : scene_(known_scene), relevant_(std::move(relevant)) {
+  for (const WantedState& wanted : needs.states) {
+    if (wanted.is_look()) told_by_look_.insert(wanted.categories.begin(), wanted.categories.end());
+  }
   for (std::size_t i = 0; i < scene_.nodes.size(); ++i) {
     if (relevant_.contains(scene_.nodes[i].category)) presume(scene_.nodes.edit(i), needs);
   }
@@ -59,6 +63,14 @@ Belief::Belief(const Scene& known_scene, const SearchNeeds& needs, std::set<std:
 const Node* Belief::find(std::string_view id) const {
   const auto place = places_.find(id);
   return place ? &scene_.nodes[*place] : nullptr;
+}
+
+bool Belief::knows_of_look(const std::string& category, const State& look) const {
+  const auto& places = places_.of(category);
+  return std::any_of(places.begin(), places.end(), [&](std::size_t place) {
+    const Node& node = scene_.nodes[place];
+    return (look.predicate == Predicate::Color ? node.color : node.material) == look.symbol;
+  });
 }
 
 bool Belief::put(const Node& node) {
@@ -78,7 +90,9 @@ void Belief::see(const std::vector<Node>& view, const Agent& body) {
   moved_.clear();
   for (const Node& node : view) {
     const Node* known = find(node.id);
-    const bool other = known == nullptr || known->states != node.states;
+    const bool looks_other = known != nullptr && told_by_look_.contains(node.category) &&
+                             (known->color != node.color || known->material != node.material);
+    const bool other = known == nullptr || looks_other || known->states != node.states;
     if (other && relevant_.contains(node.category)) {
       ++news_;
       last_news_ = node.id;

@@ -15,7 +15,7 @@ namespace unietp {
 
 /// What an agent holds true of a home: what it knew at the start, what it has seen since, each thing as it looked last,
 /// and what its own actions must have changed. Furniture that it has not seen yet is taken to be in the state that the
-/// goal presupposes: a lamp that is to be switched off is on, until it is seen to be off.
+/// goal presupposes: a lamp that is to be switched off is on, until it is seen to be off. How it looks is not known.
 class Belief {
  public:
   /// `relevant`: categories of which news matters.
@@ -31,6 +31,10 @@ class Belief {
   /// nullptr when it knows of none.
   const Node* find(std::string_view id) const;
   bool has_seen(std::string_view id) const { return seen_.contains(id); }
+  /// Of the category, known so far to be of a color or material.
+  bool knows_of_look(const std::string& category, const State& look) const;
+  /// Whether the goal tells things of the category apart by color or material.
+  bool told_by_look(const std::string& category) const { return told_by_look_.contains(category); }
   /// How many things of the category it knows of.
   int count(const std::string& category) const { return static_cast<int>(places_.of(category).size()); }
   /// Grows whenever something relevant is seen for the first time or looks otherwise than believed.
@@ -49,7 +53,7 @@ class Belief {
   Scene scene_;
   NodeIndex places_;
   std::set<std::string, std::less<>> seen_;
-  std::set<std::string> relevant_;
+  std::set<std::string> relevant_, told_by_look_;
   int news_ = 0;
   std::string last_news_;
   std::vector<std::string> moved_;

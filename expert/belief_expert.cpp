@@ -10,19 +10,19 @@
 #include "expert/known_world.h"
 #include "expert/recognition.h"
 #include "expert/search_order.h"
+#include "expert/search_targets.h"
 #include "expert/search_tools.h"
 #include "simulation/relations.h"
 
 namespace unietp {
 namespace {
 
-constexpr double kEnough = 0.05;  // of the chances to find more of what the goal speaks of all of
 // Of the limit of the mode: of steps spent on that before something is done, and of all when more is looked for at the
 // end.
 constexpr double kThorough = 0.4, kChecking = 0.6;
-constexpr int kStepsForTheRest = 4;                   // at least, after what is needed was found
-constexpr int kStepsToBeTidy = 25;                    // left, else nothing is closed while something is looked for
-constexpr std::size_t kMostGlances = 4000;            // that are thought of to bring one thing into the picture
+constexpr int kStepsForTheRest = 4;         // at least, after what is needed was found
+constexpr int kStepsToBeTidy = 25;          // left, else nothing is closed while something that is needed is looked for
+constexpr std::size_t kMostGlances = 4000;  // that are thought of to bring one thing into the picture
 constexpr int kMostApproaches = 4, kMostReplans = 3;  // when a thing cannot be brought into it
 
 /// Looks, plans and acts behind a window.
@@ -35,6 +35,7 @@ class BeliefExpert {
         profile_(profile_in(problem.mode, problem.profile)),
         belief_(window.known_scene(), needs_, categories_of_use(problem.goal, needs_, problem.knowledge, profile_)),
         order_(window.known_scene(), problem.knowledge, problem.usual, needs_.shut, profile_),
+        targets_(problem, needs_, profile_, belief_, order_),
         known_world_(problem.knowledge, problem.profile, window_),
         planner_(problem) {}
 
@@ -87,64 +88,9 @@ class BeliefExpert {
     return true;
   }
 
-  bool is_known(const std::string& category) const {
-    if (belief_.count(category) > 0) return true;
-    const auto& rooms = belief_.scene().rooms;
-    return std::any_of(rooms.begin(), rooms.end(), [&](const Room& room) { return room.type == category; });
-  }
-  int known_of(const std::vector<std::string>& categories) const {
-    int known = 0;
-    for (const std::string& category : categories) {
-      known += belief_.count(category);
-      for (const Room& room : belief_.scene().rooms) known += room.type == category ? 1 : 0;
-    }
-    return known;
-  }
-  bool is_movable(const std::string& category) const {
-    const Category* known = problem_.knowledge.find(category);
-    return known != nullptr && known->movable;
-  }
-
-  void add_targets(std::vector<SearchTarget>& targets, const SearchNeed& need) const {
-    for (const std::string& category : need.categories) {
-      if (points() || is_movable(category))
-        targets.push_back({category, need.places, need.rooms, need.floor, need.near});
-    }
-  }
-
-  /// What has to be found before it is worth while to plan; empty when nothing has.
-  std::vector<SearchTarget> missing() const {
-    std::vector<SearchTarget> targets;
-    for (const SearchNeed& need : needs_.needs) {
-      if (known_of(need.categories) < need.at_least) add_targets(targets, need);
-    }
-    if (!targets.empty()) return targets;
-    for (const WantedState& wanted : needs_.states) {
-      if (wanted.stated) continue;
-      for (const std::string& category : wanted.categories) {
-        const auto tools = tools_for(wanted, category, problem_.knowledge, profile_);
-        if (tools.empty() ||
-            std::any_of(tools.begin(), tools.end(), [this](const auto& tool) { return is_known(tool); }))
-          continue;
-        for (const std::string& tool : tools) targets.push_back({tool});
-      }
-    }
-    return targets;
-  }
-
-  /// Of what the goal speaks of all of, where there may well be more.
+  /// Of what the goal speaks of all of, where there may well be more and steps are left for that.
   std::vector<SearchTarget> overlooked(double most) const {
-    std::vector<SearchTarget> targets;
-    if (steps_ >= most * most_steps()) return targets;
-    for (const SearchNeed& need : needs_.needs) {
-      if (!need.every) continue;
-      std::vector<SearchTarget> all;
-      add_targets(all, need);
-      for (SearchTarget& target : all) {
-        if (order_.unseen_share(target, belief_) > kEnough) targets.push_back(std::move(target));
-      }
-    }
-    return targets;
+    return steps_ >= most * most_steps() ? std::vector<SearchTarget>{} : targets_.overlooked();
   }
 
   bool may_plan() {
@@ -167,7 +113,7 @@ class BeliefExpert {
     }
     if (std::exchange(strayed_, false) && !points()) (void)make_plan();  // else on with what was planned elsewhere
     Action action = planner_.rest().front();
-    if (action.type == ActionType::Stop && look_for_more()) return false;
+    if (action.type == ActionType::Stop && (look_for_more() || close_after_search())) return false;
     empty_.clear();  // the plan closes what was opened
     const bool looks_first = acts_on_presumed(action);
     if (looks_first) action = {ActionType::TurnTo, action.args};
@@ -178,7 +124,7 @@ class BeliefExpert {
     }
     if (points()) {
       acted_ = true;
-      if (!come_to(action)) return plan_without(action), false;
+      if (!come_to(action)) return closes_only_ ? planner_.only_stop() : plan_without(action), false;
     }
     if (!looks_first) planner_.advance();
     if (action.type == ActionType::TurnTo) looked_for_.insert(action.args.front());
@@ -278,9 +224,30 @@ class BeliefExpert {
     const auto look = targets.empty() || steps_left() <= kStepsForTheRest ? std::nullopt : next_look(targets);
     if (!look) return false;
     const int before = belief_.news();
+    checks_ = true;
     if (!look_there(*look)) give_up("in search: " + trouble_.text, trouble_.failure);
+    checks_ = false;
+    left_open_ = stands_open();
     surprised_ = surprised_ || belief_.news() != before;
     return true;
+  }
+
+  /// Whether anything that was opened for a look is open.
+  bool stands_open() const {
+    return std::any_of(opened_.begin(), opened_.end(),
+                       [this](const std::string& id) { return belief_.find(id)->states.has(Predicate::Open); });
+  }
+
+  /// Closes what the last looks opened, of which the plan knew nothing, or plans to; false where nothing is to be
+  /// closed or it is not possible.
+  bool close_after_search() {
+    if (!std::exchange(left_open_, false)) return false;
+    checks_ = true;
+    if (!close_behind({})) give_up("in search: " + trouble_.text, trouble_.failure);
+    checks_ = false;
+    if (gave_up_ || !stands_open()) return true;
+    closes_only_ = make_plan(true) && planner_.rest().size() > 1;
+    return closes_only_;
   }
 
   /// Takes in what an action must have changed.
@@ -354,7 +321,7 @@ class BeliefExpert {
 
   /// Enough is known to try a plan that was not tried yet.
   bool found_enough() const {
-    return planned_at_ != belief_.news() && missing().empty() && overlooked(kThorough).empty();
+    return planned_at_ != belief_.news() && targets_.missing().empty() && overlooked(kThorough).empty();
   }
 
   bool would_work(const SearchOrder::Look& look) {
@@ -391,15 +358,10 @@ class BeliefExpert {
   /// One look where something needed may be.
   void search() {
     if (steps_left() <= kStepsForTheRest)
-      return give_up("too long a search for " + names_of(missing()) + "; " + trouble_.text);
-    auto targets = missing();
+      return give_up("too long a search for " + names_of(targets_.missing()) + "; " + trouble_.text);
+    auto targets = targets_.missing();
     if (targets.empty()) targets = overlooked(kThorough);
-    if (targets.empty()) {
-      for (const SearchNeed& need : needs_.needs) {
-        for (const std::string& category : need.categories)
-          targets.push_back({category, need.places, need.rooms, need.floor, need.near});
-      }
-    }
+    if (targets.empty()) targets = targets_.all();
     const auto look = next_look(targets);
     if (!look) return give_up("nowhere left to look for " + names_of(targets) + "; " + trouble_.text);
     if (!look_there(*look)) give_up("in search: " + trouble_.text, trouble_.failure);
@@ -409,7 +371,7 @@ class BeliefExpert {
   bool close_behind(const std::string& next) {
     if (empty_.empty() || empty_ == next) return true;
     const Action close{ActionType::Close, {std::exchange(empty_, {})}};
-    if (steps_left() <= kStepsToBeTidy) return true;
+    if (steps_left() <= (checks_ ? kStepsForTheRest : kStepsToBeTidy)) return true;
     if (points() ? !come_to(close) : !known_world_.allows(close)) return !gave_up_;
     if (!act(close)) return false;
     std::erase(opened_, close.args.front());
@@ -454,6 +416,7 @@ class BeliefExpert {
   Profile profile_;
   Belief belief_;
   SearchOrder order_;
+  SearchTargets targets_;
   KnownWorld known_world_;
   BeliefPlanner planner_;
   int planned_at_ = -1;                            // the news when a plan was made, or could not be made
@@ -467,6 +430,9 @@ class BeliefExpert {
   int steps_ = 0;
   bool acted_ = false, gave_up_ = false;
   bool surprised_ = false, strayed_ = false;  // by the last step: something came into view; it led elsewhere
+  bool checks_ = false;                       // whether there is more, when all is done
+  bool left_open_ = false;                    // by such looks
+  bool closes_only_ = false;                  // what is left of the plan, after those
   Trouble trouble_;
 };
 

@@ -35,6 +35,8 @@ class BeliefPlanner {
 
   /// Of the plan; empty when there is none.
   std::span<const Action> rest() const { return std::span(plan_).subspan(std::min(next_, plan_.size())); }
+  /// Nothing of the plan is left to be done.
+  void only_stop() { next_ = plan_.empty() ? 0 : plan_.size() - 1; }
   /// The first of the rest is taken.
   void advance() { ++next_; }
   /// An action was done, which changed this.

@@ -29,6 +29,8 @@ struct WantedState {
   State state;
   bool positive = true;
   bool stated = false;  // in a `:where`: they are so at the start
+  /// It is a color or material, which shows in a picture alone and never changes.
+  bool is_look() const { return state.predicate == Predicate::Color || state.predicate == Predicate::Material; }
 };
 
 /// What the text of a goal tells somebody who has to look for things first.

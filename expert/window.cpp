@@ -38,6 +38,18 @@ Node as_seen(Node node, const Knowledge& knowledge) {
   return node;
 }
 
+/// Furniture as a plan of the home shows it: what it is, where it stands and how large it is, in its default states.
+Node as_on_a_plan(const Node& node, const Knowledge& knowledge) {
+  Node known = as_seen(node, knowledge);
+  known.color.clear();
+  known.material.clear();
+  known.boards.clear();
+  known.opening = 0;
+  known.states = {};
+  set_default_states(known, knowledge);
+  return known;
+}
+
 bool comes_first(const Node& a, const Node& b) {
   const auto by_look = [](const Node& node) {
     const Vec3& at = node.pose.position;
@@ -61,11 +73,7 @@ EpisodeWindow::EpisodeWindow(ExecutionTree& executions, Mode mode)
   known_scene_.wall_thickness = start.wall_thickness;
   if (rollout_.episode().rules().furniture) {
     for (const Node& node : start.nodes) {
-      if (node.movable) continue;
-      Node& known = known_scene_.nodes.emplace_back(node);
-      known.opening = 0;
-      known.states = {};
-      set_default_states(known, knowledge_);
+      if (!node.movable) known_scene_.nodes.push_back(as_on_a_plan(node, knowledge_));
     }
   }
   look();

@@ -18,7 +18,8 @@ class Window {
  public:
   virtual ~Window() = default;
   /// What the mode shows at the start: rooms and their openings; in M2 also furniture by id, category, place and size,
-  /// in the states that such furniture has by default, whatever its states are. Nothing movable; no relations.
+  /// in the states that such furniture has by default, whatever its states are, and of no color or material. Nothing
+  /// movable; no relations.
   virtual const Scene& known_scene() const = 0;
   /// What the agent sees, each thing as it looks now: in M2 the objects in view, in M3 all that it can point at in the
   /// picture; and what is in the hand, which comes last.

@@ -80,4 +80,25 @@ std::optional<Scene> twin_of(const Scene& start, const Demonstration& demonstrat
   return twin;
 }
 
+std::optional<Scene> painted_otherwise(const Scene& start, const Demonstration& demonstration) {
+  std::set<std::string> in_view;
+  for (const VisibleObject& object : demonstration.steps.front().visible) in_view.insert(object.id);
+  std::map<std::string, std::vector<std::size_t>> of_kind;
+  for (std::size_t i = 0; i < start.nodes.size(); ++i) {
+    const Node& node = start.nodes[i];
+    if (!node.movable && !in_view.contains(node.id)) of_kind[node.category].push_back(i);
+  }
+  Scene twin = start;
+  for (const auto& [kind, places] : of_kind) {
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const Node& other = start.nodes[places[places.size() - 1 - i]];
+      Node& node = twin.nodes.edit(places[i]);
+      node.color = other.color;
+      node.material = other.material;
+    }
+  }
+  if (twin == start) return std::nullopt;
+  return twin;
+}
+
 }  // namespace unietp

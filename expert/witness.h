@@ -67,4 +67,8 @@ bool acted_alike(const Witnessed& one, const Witnessed& other);
 /// world that looks the same until then. nullopt when everything used was in view at the start.
 std::optional<Scene> twin_of(const Scene& start, const Demonstration& demonstration);
 
+/// The same start in which furniture of one kind that was not in view at the beginning of a demonstration has each
+/// other's colors and materials; a world that looks the same until some of it is seen. nullopt when that is the same.
+std::optional<Scene> painted_otherwise(const Scene& start, const Demonstration& demonstration);
+
 }  // namespace unietp

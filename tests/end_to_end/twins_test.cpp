@@ -101,7 +101,7 @@ std::vector<bool> search_marks(const TaskSource& tasks, std::size_t position, Mo
 
 void follow_from_what_was_told_and_shown(Mode mode) {
   const TaskSource tasks = source();
-  std::size_t shown = 0, twins = 0, distinguishable = 0;
+  std::size_t shown = 0, twins = 0, distinguishable = 0, painted = 0, noticed = 0;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     SCOPED_TRACE(tasks.listing()[i].id);
     const auto task = tasks.task(i);
@@ -119,6 +119,12 @@ void follow_from_what_was_told_and_shown(Mode mode) {
     EXPECT_FALSE(reach_by_belief(problem_of(**task, mode), record));
     EXPECT_TRUE(record.same());
     ++shown;
+    if (const auto other_look = painted_otherwise((*task)->start, demonstration)) {
+      const Witnessed other = played(**task, mode, *other_look).seen;
+      EXPECT_TRUE(acted_alike(seen, other)) << "it knew the color or material of furniture before it saw it";
+      ++painted;
+      if (same_moments(seen, other) < seen.moments.size()) ++noticed;
+    }
     const auto twin = twin_of((*task)->start, demonstration);
     if (!twin) continue;  // everything that it uses was in view at the start
     const Witnessed other = played(**task, mode, *twin).seen;
@@ -126,7 +132,10 @@ void follow_from_what_was_told_and_shown(Mode mode) {
     ++twins;
     if (same_moments(seen, other) < seen.moments.size()) ++distinguishable;
   }
-  std::printf("%zu demonstrations, %zu twins, %zu of them told apart in the end\n", shown, twins, distinguishable);
+  std::printf(
+      "%zu demonstrations, %zu twins, %zu of them told apart in the end; %zu with furniture painted otherwise, %zu of "
+      "them told apart\n",
+      shown, twins, distinguishable, painted, noticed);
   EXPECT_GT(twins, 0U);
   EXPECT_EQ(distinguishable, twins) << "a twin lacks something that is used";
 }

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <numbers>
+#include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -267,6 +269,65 @@ TEST(BeliefExpert, LooksAtFurnitureBeforeItIsSwitched) {
   EXPECT_FALSE(trouble) << trouble->text;
   EXPECT_TRUE(window.reaches_goal());
   EXPECT_THAT(window.done(), ::testing::Contains(Action{ActionType::TurnTo, {"television_1"}}));
+}
+
+/// What is looked for is told apart by its color alone, and is in the other room.
+TEST(BeliefExpert, DoesNotKnowWhichFurnitureLooksHowBeforeItHasSeenIt) {
+  const Knowledge knowledge = house_knowledge();
+  const Profile profile = house_profile();
+  const Formula wanted =
+      goal("(exists (?x - Apple) (exists (?y - (SideTable :where (colour ?y red))) (at-end (on ?x ?y))))");
+  std::vector<Witnessed> seen;
+  std::vector<std::string> put_down;
+  for (const auto& [first, second] : {std::pair("red", "blue"), std::pair("blue", "red")}) {
+    Scene scene = house();
+    edit_node(scene, "sidetable_1")->color = first;
+    edit_node(scene, "sidetable_2")->color = second;
+    const Scene start = at_rest(std::move(scene));
+    auto executions = *ExecutionTree::of(wanted, start, knowledge, profile);
+    EpisodeWindow window(executions, Mode::M2);
+    WitnessWindow witness(window);
+    const auto trouble = reach_by_belief({wanted, knowledge, profile}, witness);
+    EXPECT_FALSE(trouble) << trouble->text;
+    EXPECT_TRUE(window.reaches_goal());
+    seen.push_back(witness.seen());
+    for (const Action& action : window.done())
+      if (action.type == ActionType::PlaceOn) put_down.push_back(action.args.front());
+  }
+  EXPECT_TRUE(acted_alike(seen[0], seen[1]));
+  EXPECT_LT(same_moments(seen[0], seen[1]), seen[0].moments.size());
+  EXPECT_THAT(put_down, ::testing::ElementsAre("sidetable_1", "sidetable_2"));
+}
+
+/// When all is done it looks once more for what the goal speaks of all of, in what is shut, too.
+TEST(BeliefExpert, ClosesWhatItOpenedForItsLastLooks) {
+  const Knowledge knowledge = house_knowledge();
+  const Profile profile = house_profile();
+  Scene scene = house();
+  int number = 1;  // so many that not all are opened before anything is done
+  for (const double x : {5.5, 6.35, 7.2}) {
+    add(scene, knowledge, "fridge_" + std::to_string(++number), "Fridge", x, 0.4, 0, std::numbers::pi);
+    if (x < 6.5) add(scene, knowledge, "fridge_" + std::to_string(++number), "Fridge", x, 3.55, 0);
+  }
+  add(scene, knowledge, "fridge_7", "Fridge", 0.6, 0.4, 0, std::numbers::pi);
+  add(scene, knowledge, "fridge_8", "Fridge", 4.2, 0.4, 0, std::numbers::pi);
+  const Scene start = at_rest(std::move(scene));
+  const Formula wanted = goal("(exists (?y - DiningTable) (forall (?x - Apple) (at-end (on ?x ?y))))");
+  for (const Mode mode : {Mode::M2, Mode::M3}) {
+    auto executions = *ExecutionTree::of(wanted, start, knowledge, profile);
+    EpisodeWindow window(executions, mode);
+    const auto trouble = reach_by_belief({wanted, knowledge, profile, nullptr, mode}, window);
+    EXPECT_FALSE(trouble) << trouble->text;
+    EXPECT_TRUE(window.reaches_goal());
+    std::set<std::string> open;
+    std::size_t opened = 0;
+    for (const Action& action : window.done()) {
+      if (action.type == ActionType::Open) ++opened, open.insert(action.args.front());
+      if (action.type == ActionType::Close) open.erase(action.args.front());
+    }
+    EXPECT_GT(opened, 0U) << name_of(mode);
+    EXPECT_THAT(open, IsEmpty()) << ::testing::PrintToString(texts_of(window.done()));
+  }
 }
 
 TEST(ActedAlike, FindsWhoActsOnWhatWasNotShown) {

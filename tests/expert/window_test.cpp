@@ -12,11 +12,17 @@
 namespace unietp::testing {
 namespace {
 
-TEST(EpisodeWindow, ShowsNothingMovableThatIsNotInViewAndNoStateOfFurnitureOutOfView) {
+TEST(EpisodeWindow, ShowsNothingMovableThatIsNotInViewAndNeitherStateNorLookOfFurnitureOutOfView) {
   const Knowledge knowledge = house_knowledge();
   const Profile profile = house_profile();
   Scene scene = house();
   set_state(scene, "television_1", Predicate::PowerOn);
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    Node& node = scene.nodes.edit(i);
+    node.color = "red";
+    node.material = "wood";
+    node.asset = "model_" + std::to_string(i);
+  }
   const Scene start = at_rest(std::move(scene));
   const Formula wanted = goal("(exists (?x - Mug) (at-end (held ?x)))");
   auto executions = *ExecutionTree::of(wanted, start, knowledge, profile);
@@ -24,11 +30,13 @@ TEST(EpisodeWindow, ShowsNothingMovableThatIsNotInViewAndNoStateOfFurnitureOutOf
   for (const Node& node : window.known_scene().nodes) {
     EXPECT_FALSE(node.movable) << node.id;
     EXPECT_FALSE(node.states.has(Predicate::PowerOn)) << node.id;
+    EXPECT_EQ(node.color + node.material + node.asset, "") << node.id;
   }
   EXPECT_TRUE(window.known_scene().edges.empty());
   const auto& visible = executions.world().visible();
   EXPECT_EQ(window.view().size(), visible.size());
   for (const Node& node : window.view()) {
+    EXPECT_EQ(node.color, "red") << node.id;
     EXPECT_TRUE(std::any_of(visible.begin(), visible.end(), [&](const auto& object) { return object.id == node.id; }));
   }
 }
