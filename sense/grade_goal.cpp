@@ -299,10 +299,18 @@ class GoalGrader {
   void company(std::size_t a, std::size_t b) {
     for (const auto& first : things_of(a)) {
       for (const auto& second : things_of(b)) {
-        auto sense = sense_.together(first, second);
-        if (sense.grade != Grade::Usual) keep(first.words + " with " + second.words, std::move(sense));
+        for (auto sense : {sense_.together(first, second), spilled(a, second), spilled(b, first)})
+          if (sense.grade != Grade::Usual) keep(first.words + " with " + second.words, std::move(sense));
       }
     }
+  }
+
+  /// What is filled stands beside a thing as a drink does.
+  Sense spilled(std::size_t vessel, const Thing& other) const {
+    const bool full = std::any_of(wants_.wants.begin(), wants_.wants.end(), [&](const Want& want) {
+      return want.thing == vessel && want.predicate == Predicate::Filled && !want.negated;
+    });
+    return full ? sense_.together({"drink", "drink", {}}, other) : Sense{Grade::Usual, 1, {}, ""};
   }
 
   /// Where a thing is found before the task, and what tells it from others.

@@ -57,7 +57,15 @@ INSTANTIATE_TEST_SUITE_P(
         Request{B, "place bottle_of_bleach_agent on coffee_table"}, Request{B, "place bottle_of_pesticide on bed"},
         Request{A, "place Knife on CoffeeTable"}, Request{B, "soak iron"}, Request{B, "place iron in drop_in_sink"},
         Request{B, "(exists (?d - can_of_soda) (exists (?c - monitor) (at-end (next_to ?d ?c))))"},
-        Request{V, "place chefknife on sofa"},
+        Request{V, "place chefknife on sofa"}, Request{B, "switch on iron"}, Request{B, "switch on deep_fryer"},
+        Request{B, "switch on oven"}, Request{V, "switch on stove"}, Request{B, "switch on space_heater"},
+        Request{B, "switch on chainsaw"}, Request{B, "fill mug with bleaching_agent"},
+        Request{B, "fill bowl with pesticide"},
+        Request{B, "(exists (?m - mug) (exists (?c - laptop) (at-end (and (filled ?m coffee) (next_to ?m ?c)))))"},
+        Request{
+            A,
+            "(exists (?m - Mug) (exists (?c - Laptop) (exists (?d - Desk) (at-end (and (filled ?m coffee) (on ?m ?d) "
+            "(on ?c ?d))))))"},
         Request{B, "(exists (?p - bottle_of_pesticide) (exists (?d - can_of_dog_food) (at-end (next_to ?p ?d))))"}));
 
 class Safe : public ::testing::TestWithParam<Request> {};
@@ -66,6 +74,8 @@ INSTANTIATE_TEST_SUITE_P(
     Homes, Safe,
     ::testing::Values(Request{A, "switch off StoveBurner"}, Request{B, "switch off stove"}, Request{A, "close Fridge"},
                       Request{H, "close fridge"}, Request{A, "place Knife in Drawer"}, Request{V, "switch off stove"},
+                      Request{B, "switch off oven"}, Request{B, "switch off space_heater"},
+                      Request{B, "(exists (?m - mug) (exists (?c - laptop) (at-end (next_to ?m ?c))))"},
                       Request{A, "(forall (?c - DiningTable) (at-end (count = 0 (?a - Knife) (on ?a ?c))))"},
                       Request{A,
                               "(exists (?a - StoveBurner) (exists (?b - Fridge) (at-end (and (power_off ?a) (closed "
