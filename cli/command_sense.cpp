@@ -59,6 +59,7 @@ Exit answer(const SenseOptions& options, const Grader& grader) {
     const auto goal = options.question.starts_with('(') ? parse_formula("question", options.question, FormulaUse::Goal)
                                                         : read_question(options.question, knowledge);
     if (!goal) return refuse(goal.error());
+    if (const auto known = check_names(*goal, knowledge, grader.words); !known) return refuse(known.error());
     const auto task = grade_goal(*goal, knowledge, grader.sense, grader.words);
     if (options.json) {
       Json json{{"simulator", name_of(knowledge.simulator())}, {"goal", to_text(*goal)}};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "core/sort_unique.h"
@@ -75,6 +76,14 @@ std::vector<std::string> suggested(const std::string& name, const Knowledge& kno
   return near.empty() ? found : std::vector<std::string>{near};
 }
 
+Error no_category(const std::string& name, const Knowledge& knowledge) {
+  const auto near = suggested(name, knowledge);
+  const std::string simulator(name_of(knowledge.simulator()));
+  return usage(simulator + " has no category \"" + name + "\"" +
+               (near.empty() ? "" : ", did you mean \"" + join(near, "\" or \"") + "\"") + "; `unietp knowledge show " +
+               simulator + "` lists them");
+}
+
 Result<std::string> category_of(std::string_view words, const Knowledge& knowledge) {
   const auto asked = normal_word(trim(words));
   for (const auto& category : knowledge.categories()) {
@@ -82,12 +91,7 @@ Result<std::string> category_of(std::string_view words, const Knowledge& knowled
         lower(category.name) == lower(trim(words)))
       return category.name;
   }
-  const std::string name(trim(words));
-  const auto near = suggested(name, knowledge);
-  const std::string simulator(name_of(knowledge.simulator()));
-  return usage(simulator + " has no category \"" + name + "\"" +
-               (near.empty() ? "" : ", did you mean \"" + join(near, "\" or \"") + "\"") + "; `unietp knowledge show " +
-               simulator + "` lists them");
+  return no_category(std::string(trim(words)), knowledge);
 }
 
 /// The rest of the text behind a verb; nullopt when it does not begin so.
@@ -176,7 +180,51 @@ Result<Formula> read_one(std::string_view text, const Knowledge& knowledge) {
   return unknown_name_error("question", split(text, ' ').front(), verbs());
 }
 
+/// What can be in or on a thing, as the simulator's facts have it. Sorted.
+std::vector<std::string> substances_of(const Knowledge& knowledge) {
+  std::vector<std::string> all{"dust", "stain"};
+  all.insert(all.end(), kLiquids.begin(), kLiquids.end());
+  for (const Effect& effect : knowledge.effects())
+    if (effect.treatment == Treatment::Fills || effect.treatment == Treatment::Dispenses) all.push_back(effect.gives);
+  sort_unique(all);
+  return all;
+}
+
+/// The variables that a goal takes for rooms.
+void find_rooms(const Formula& part, std::set<std::string>& rooms) {
+  if (part.op == Formula::Op::Atom && part.predicate == Predicate::InRoom && part.terms.size() > 1)
+    rooms.insert(part.terms[1].name);
+  for (const Formula& test : part.domain.where) find_rooms(test, rooms);
+  for (const Formula& child : part.children) find_rooms(child, rooms);
+}
+
+Result<Done> check_part(const Formula& part, const Knowledge& knowledge, const WordKinds& words,
+                        const std::set<std::string>& rooms) {
+  for (const Domain::Member& member : part.domain.members) {
+    if (!rooms.contains(part.variable) && knowledge.find(member.category) == nullptr)
+      return no_category(member.category, knowledge);
+  }
+  for (const Term& term : part.terms) {
+    const bool substance = part.predicate == Predicate::Filled || part.predicate == Predicate::Covered;
+    if (!substance || term.kind != Term::Kind::Symbol || words.of_word(term.name)) continue;
+    const auto known = substances_of(knowledge);
+    if (std::find(known.begin(), known.end(), term.name) == known.end())
+      return unknown_name_error("substance", term.name, known);
+  }
+  for (const auto* parts : {&part.domain.where, &part.children}) {
+    for (const Formula& each : *parts)
+      if (auto checked = check_part(each, knowledge, words, rooms); !checked) return checked;
+  }
+  return Done{};
+}
+
 }  // namespace
+
+Result<Done> check_names(const Formula& goal, const Knowledge& knowledge, const WordKinds& words) {
+  std::set<std::string> rooms;
+  find_rooms(goal, rooms);
+  return check_part(goal, knowledge, words, rooms);
+}
 
 Result<Formula> read_question(std::string_view text, const Knowledge& knowledge) {
   constexpr std::string_view then = " then ";

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/sense/committed_sense.h"
 #include "tests/support/committed_knowledge.h"
 
 namespace unietp {
@@ -43,6 +44,26 @@ TEST(Question, UnknownWordsGetTheNearest) {
   EXPECT_THAT(goal_of("place Mug CounterTop"), HasSubstr("expected one of"));
   EXPECT_THAT(goal_of("place Mug on couch"), HasSubstr("did you mean \"Sofa\""));  // people call it so
   EXPECT_THAT(goal_of("place Mug on table"), HasSubstr("\"DiningTable\""));        // a word of its name
+}
+
+std::string fault_in(const std::string& goal) {
+  const auto parsed = parse_formula("goal", goal, FormulaUse::Goal);
+  EXPECT_TRUE(parsed) << goal;
+  const auto checked = check_names(*parsed, committed_knowledge(Simulator::Ai2thor), test::committed_words());
+  return checked ? "" : checked.error().message;
+}
+
+TEST(Question, NamesOfAGoalAreChecked) {
+  EXPECT_EQ(fault_in("(exists (?c - Cup) (at-end (filled ?c water)))"), "");
+  EXPECT_EQ(fault_in("(exists (?t - DiningTable) (at-end (not (covered ?t dust))))"), "");
+  EXPECT_EQ(fault_in("(exists (?t - DiningTable) (at-end (covered ?t pesticide)))"),
+            "");  // of the words, not the facts
+  EXPECT_EQ(fault_in("(exists (?a - Pillow) (exists (?r - bedroom) (at-end (in_room ?a ?r))))"), "");
+  EXPECT_THAT(fault_in("(exists (?c - Cup) (at-end (filled ?c watr)))"), HasSubstr("did you mean \"water\""));
+  EXPECT_THAT(fault_in("(exists (?c - Cup) (at-end (covered ?c blorp)))"), HasSubstr("unknown name \"blorp\""));
+  EXPECT_THAT(fault_in("(exists (?c - Cupp) (at-end (clean ?c)))"), HasSubstr("did you mean \"Cup\""));
+  EXPECT_THAT(fault_in("(exists (?a - (Book :where (exists (?b - Shelff) (on ?a ?b)))) (at-end (held ?a)))"),
+              HasSubstr("did you mean \"Shelf\""));
 }
 
 }  // namespace
