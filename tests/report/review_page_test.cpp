@@ -36,6 +36,10 @@ TaskRecord task(int i) {
   one.goal_tree = *parse_formula("goal", one.goal_text, FormulaUse::Goal);
   one.instruction = i == 1 ? kHostile : "Open fridge number " + std::to_string(i) + ", please.";
   one.style = "direct";
+  one.purpose = "comfort";
+  one.because = {"fridge is closed"};
+  one.grade = i == 1 ? "tolerable" : "usual";
+  one.sense = {{"open fridge", one.grade, "written"}};
   return one;
 }
 
@@ -202,6 +206,15 @@ TEST_F(ReviewPage, AFilterAndASearchLeaveTheirTasks) {
   EXPECT_EQ(text("#shown"), "0");
   EXPECT_TRUE(browser_->evaluate("document.querySelector('#card').hidden").get<bool>());
   expect_quiet();
+}
+
+TEST_F(ReviewPage, SaysWhatTheTaskIsForAndHowMuchSenseItMakes) {
+  open(3);
+  EXPECT_EQ(text("[data-part=purpose]"), "For comfort, because fridge is closed.");
+  EXPECT_EQ(text("[data-part=sense]"), "Sense: usual (open fridge: usual, written).");
+  browser_->press("j");
+  at("ai2thor-1");
+  EXPECT_EQ(text("[data-part=sense]"), "Sense: tolerable (open fridge: tolerable, written).");
 }
 
 TEST_F(ReviewPage, TenThousandTasksPageThrough) {
