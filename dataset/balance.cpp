@@ -12,7 +12,8 @@
 namespace unietp {
 namespace {
 
-constexpr std::array<std::string_view, kDimensionCount> kNames{"template", "category", "receptacle", "room", "scene"};
+constexpr std::array<std::string_view, kDimensionCount> kNames{"template", "category", "receptacle",
+                                                               "room",     "scene",    "use"};
 
 bool asks_for(const Parameter& parameter, std::string_view affordance) {
   const auto& all = parameter.affordances;

@@ -13,10 +13,10 @@
 
 namespace unietp {
 
-/// The properties over which a data set is balanced.
-enum class Dimension { Template, Category, Receptacle, Room, Scene };
+/// The properties over which a data set is balanced. `Use`: the kind of the thing that a text calls by what it is for.
+enum class Dimension { Template, Category, Receptacle, Room, Scene, Use };
 /// Number of dimensions.
-inline constexpr std::size_t kDimensionCount = static_cast<std::size_t>(Dimension::Scene) + 1;
+inline constexpr std::size_t kDimensionCount = static_cast<std::size_t>(Dimension::Use) + 1;
 std::string_view name_of(Dimension dimension);  // "receptacle"
 std::optional<Dimension> dimension_named(std::string_view name);
 

@@ -1,6 +1,7 @@
 #include "generator/style_fit.h"
 
 #include <algorithm>
+#include <initializer_list>
 
 #include "generator/goal_variable.h"
 #include "generator/phrase_kind.h"
@@ -27,7 +28,17 @@ struct Matter {
   bool of_one_thing = false;  // of something that stands once in its goal and is no room
   bool of_things = false;     // not of rooms alone
   bool carries_one = false;   // of one thing that can be picked up, and no other
+  bool of_any_kind = false;   // of one thing that can be carried, of which people leave open what kind it is
+  bool got_ready = false;     // of one thing that can be carried and is brought, washed or switched on
 };
+
+/// Whether a goal asks no more of a variable than these.
+bool asks_only(const Formula& goal, const std::string& variable, std::initializer_list<Predicate> accepted) {
+  const auto asked = predicates_of(goal, variable);
+  return std::all_of(asked.begin(), asked.end(), [&](Predicate predicate) {
+    return std::find(accepted.begin(), accepted.end(), predicate) != accepted.end();
+  });
+}
 
 bool has_form_for(Style style, const Formula& goal, const Matter& matter) {
   switch (style) {
@@ -52,12 +63,13 @@ bool has_form_for(Style style, const Formula& goal, const Matter& matter) {
              !any_part(goal, [](const Formula& f) { return f.op == Op::CountCompare; });
     case Style::Function:
     case Style::Hypernym:
+      return matter.of_any_kind;
     case Style::Ellipsis:
     case Style::Anaphora:
     case Style::Compound:
       return matter.of_one_thing;
     case Style::Context:  // "I want to wash my hands" has nothing to do with what else is brought
-      return matter.of_one_thing && matter.carries_one;
+      return matter.got_ready && matter.carries_one;
     default:
       // Only templates that are written so. Asides ("the egg can stay where it is") seem to come from nowhere, people
       // do not tell a thing by where it is not, and descriptions ("where the trash goes") read like riddles.
@@ -89,6 +101,16 @@ std::vector<Style> styles_fitting(const Template& source) {
       return parameter.name == variable.category && is_room(parameter);
     });
   });
+  // What refine_by_phrase.cpp needs of a variable, as far as the template tells.
+  for (const GoalVariable& variable : single) {
+    if (std::none_of(source.parameters.begin(), source.parameters.end(), [&](const Parameter& parameter) {
+          return parameter.name == variable.category && may_be_carried(parameter);
+        }))
+      continue;
+    using enum Predicate;
+    matter.of_any_kind |= asks_only(source.goal, variable.variable, {Held, On, InRoom, Inside, Filled});
+    matter.got_ready |= asks_only(source.goal, variable.variable, {Held, On, InRoom, Inside, OnFloor, Clean, PowerOn});
+  }
   matter.of_things = !std::all_of(source.parameters.begin(), source.parameters.end(), is_room);
   const bool carries = std::any_of(source.parameters.begin(), source.parameters.end(), may_be_carried);
   const auto picked_up = [](const Parameter& parameter) {

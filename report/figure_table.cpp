@@ -341,6 +341,9 @@ std::vector<FigureTable> tables_of(Sets sets) {
             "Parts of goals for which any of several categories serves, by what these are called.", "phrase", sets,
             "tasks"),
       sets, [](const auto& set) { return set.alternatives; }, true));
+  all.push_back(tally_table(
+      table("kinds", "Kinds of these", "The same parts of goals by the kinds of what serves.", "kinds", sets, "tasks"),
+      sets, [](const auto& set) { return set.kinds_asked_for; }, true));
   for (auto make : {plan_lengths, actions, causes, funnel, coverage, things, homes, balance}) all.push_back(make(sets));
   return all;
 }

@@ -26,21 +26,41 @@ Evenness evenness_of(const std::string& dimension, const Tally& tasks) {
   return even;
 }
 
-/// The narrowest phrase of the knowledge base that holds for all of these; their names when none does.
-std::string phrase_for(const std::vector<std::string>& serving, const Knowledge& base) {
+/// Whether a text says a phrase; of "something to read: I'm bored." both parts.
+bool says(const std::string& text, const std::string& phrase) {
+  const std::string spoken = lower(text);
+  const auto parts = split(lower(phrase), ':');
+  return std::all_of(parts.begin(), parts.end(),
+                     [&](const std::string& part) { return spoken.find(trim(part)) != std::string::npos; });
+}
+
+/// The narrowest phrase of the knowledge base that holds for all of these, of those that the text says if it says any;
+/// their names when none does.
+std::string phrase_for(const std::vector<std::string>& serving, const std::string& text, const Knowledge& base) {
   std::map<std::pair<AliasKind, std::string>, std::set<std::string>> holders;
   for (const auto& alias : base.aliases()) {
     // A request begins with the state that it asks for: "closed The milk is going to go bad."
     const bool request = alias.kind == AliasKind::Request;
     holders[{alias.kind, request ? alias.text.substr(alias.text.find(' ') + 1) : alias.text}].insert(alias.category);
   }
-  const std::pair<const std::pair<AliasKind, std::string>, std::set<std::string>>* best = nullptr;
-  for (const auto& phrase : holders) {
-    const auto& members = phrase.second;
+  const std::string* best = nullptr;
+  std::pair<bool, std::size_t> best_rank;
+  for (const auto& [phrase, members] : holders) {
     if (!std::includes(members.begin(), members.end(), serving.begin(), serving.end())) continue;
-    if (best == nullptr || members.size() < best->second.size()) best = &phrase;
+    const std::pair rank(!says(text, phrase.second), members.size());
+    if (best == nullptr || rank < best_rank) best = &phrase.second, best_rank = rank;
   }
-  return best == nullptr ? join(serving, " or ") : best->first.second;
+  return best == nullptr ? join(serving, " or ") : *best;
+}
+
+/// The narrowest kinds of these, each once, in order of name: "cup, glass".
+std::string kinds_of(const std::vector<std::string>& serving, const Knowledge& base) {
+  std::set<std::string> kinds;
+  for (const std::string& name : serving) {
+    const auto* category = base.find(name);
+    kinds.insert(category == nullptr || category->kinds.empty() ? name : category->kinds.front());
+  }
+  return join(std::vector<std::string>(kinds.begin(), kinds.end()), ", ");
 }
 
 /// Of a home, in the start of its first task.
@@ -70,7 +90,7 @@ class Counter {
     homes_.emplace(task.layout, FirstTask{task.id});
     for (const auto& name : task.goal.operators) ++statistics_.operators[name];
     for (const auto& name : task.goal.predicates) ++statistics_.predicates[name];
-    for (const auto& serving : task.alternatives) ++alternatives_[task.simulator][serving];
+    for (const auto& serving : task.alternatives) ++alternatives_[task.simulator][{serving, task.instruction}];
     add_words(task.words);
     for (const auto& [mode, plan] : task.plans) add_plan(std::string(name_of(mode)), plan);
   }
@@ -107,8 +127,11 @@ class Counter {
     for (const Knowledge* base : knowledge) {
       add_coverage(*base);
       add_things(*base);
-      for (const auto& [serving, tasks] : alternatives_[std::string(name_of(base->simulator()))])
-        statistics_.alternatives[phrase_for(serving, *base)] += tasks;
+      for (const auto& [asked, parts] : alternatives_[std::string(name_of(base->simulator()))]) {
+        const auto& [serving, text] = asked;
+        statistics_.alternatives[phrase_for(serving, text, *base)] += parts;
+        statistics_.kinds_asked_for[kinds_of(serving, *base)] += parts;
+      }
     }
   }
 
@@ -162,11 +185,12 @@ class Counter {
   DatasetStatistics& statistics_;
   std::map<std::string, FirstTask> homes_;
   std::map<std::string, FunnelRow> funnel_;
-  std::map<std::string, std::map<std::vector<std::string>, int>> alternatives_;  // tasks, by simulator and categories
-  std::map<std::string, std::set<std::string>> handled_;                         // categories, by simulator
-  std::map<std::string, std::map<std::string, int>> in_homes_;                   // objects, by simulator and category
-  std::map<std::string, GoalThings> things_;                                     // by simulator
-  std::set<std::string> function_words_;                                         // that occurred
+  /// Parts of goals, by simulator, the categories that serve, and text.
+  std::map<std::string, std::map<std::pair<std::vector<std::string>, std::string>, int>> alternatives_;
+  std::map<std::string, std::set<std::string>> handled_;        // categories, by simulator
+  std::map<std::string, std::map<std::string, int>> in_homes_;  // objects, by simulator and category
+  std::map<std::string, GoalThings> things_;                    // by simulator
+  std::set<std::string> function_words_;                        // that occurred
 };
 
 Result<Done> count_tasks(const FinishedSet& set, int threads, Counter& counter) {

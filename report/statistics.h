@@ -59,9 +59,10 @@ struct DatasetStatistics {
   Histogram instruction_words;  // words of an instruction
   Tally words;                  // occurrences, lower case; function words (a, the, of, …) are left out
   int distinct_words = 0;       // with function words
-  /// Tasks for whose goal any of several categories serves, by what these are called: "something to drink from". Sets
-  /// without such a phrase by their names, with "or" between them.
+  /// Parts of goals for which any of several categories serves, by what these are called: "something to drink from", as
+  /// the text says. Sets without such a phrase by their names, with "or" between them.
   Tally alternatives;
+  Tally kinds_asked_for;                          // the same by the narrowest kinds of these categories: "cup, glass"
   Tally operators, predicates;                    // tasks whose goal has it; operators by their name in docs/logic.md
   std::map<std::string, Histogram> plan_lengths;  // by mode: actions of a demonstration, `stop` too
   std::map<std::string, Tally> actions;           // by mode: occurrences of each action

@@ -68,6 +68,7 @@ TaskFigures figures_of(const FinishedTask& task) {
                       record.style,
                       record.phenomena,
                       record.writer,
+                      record.instruction,
                       words_of(record.instruction),
                       {},
                       {},

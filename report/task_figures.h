@@ -23,6 +23,7 @@ struct TaskFigures {
   std::string id, simulator, split, template_name, layout, purpose, style;
   std::vector<std::string> phenomena;
   std::string writer;
+  std::string instruction;
   std::vector<std::string> words;       // of the instruction, lower case, in order
   std::vector<std::string> categories;  // that its template is bound to
   /// Of each part of the goal for which any of several categories serves: these, in order of name.

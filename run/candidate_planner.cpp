@@ -8,6 +8,7 @@
 #include "generator/weighted_binding.h"
 #include "run/category_weights.h"
 #include "run/fit_of_home.h"
+#include "run/new_uses.h"
 #include "run/styles_of_slots.h"
 
 namespace unietp {
@@ -105,6 +106,11 @@ std::size_t CandidatePlanner::next_template(const TaskSlot& slot, Turn& turn, co
   };
   find_fresh();
   if (fresh.empty()) turn.tried.clear(), find_fresh();
+  const auto uses = [&](std::size_t source) {
+    return counts.count(Dimension::Template, resources_.templates[source].name);
+  };
+  if (std::any_of(fresh.begin(), fresh.end(), [&](std::size_t source) { return uses(source) == 0; }))
+    std::erase_if(fresh, [&](std::size_t source) { return uses(source) > 0; });
   std::vector<double> weights;
   for (const auto source : fresh)
     weights.push_back(counts.weight(Dimension::Template, resources_.templates[source].name));
@@ -148,10 +154,13 @@ std::optional<Binding> CandidatePlanner::draw_binding(const CandidatePlan& plan,
   const auto& layout = *layouts_.layout(slot.simulator, plan.home);
   const auto& rooms = rooms_of(slot.simulator, plan.home, layout);
   const auto& source = resources_.templates[plan.source];
-  const CategoryWeight weight = weight_in(layout, source, slot.split, counts, &rooms);
+  const Knowledge& knowledge = resources_.backend(slot.simulator).knowledge;
+  const CategoryWeight weight =
+      with_new_uses(weight_in(layout, source, slot.split, counts, &rooms),
+                    {plan.style, configuration_.seed, slot.index / configuration_.block}, source, knowledge, counts);
   const BindingWishes wishes{configuration_.binding, weight,
                              fits_home(configuration_, resources_, source, layout, plan.least, plan.style)};
-  return sample_binding(source, resources_.backend(slot.simulator).knowledge, layout.offer.categories, wishes, rng);
+  return sample_binding(source, knowledge, layout.offer.categories, wishes, rng);
 }
 
 void CandidatePlanner::count(const CandidatePlan& plan, const TaskSlot& slot, Frequencies& counts) {
@@ -160,6 +169,7 @@ void CandidatePlanner::count(const CandidatePlan& plan, const TaskSlot& slot, Fr
   const auto& source = resources_.templates[plan.source];
   const auto& rooms = rooms_of(slot.simulator, plan.home, layout);
   counts.add({Dimension::Scene, layout.home.scene.id});
+  counts.add(uses_of(source, *plan.binding, plan.style, resources_.backend(slot.simulator).knowledge));
   for (std::size_t i = 0; i < plan.binding->size(); ++i) {
     if (is_value(source.parameters[i])) continue;
     const auto& category = (*plan.binding)[i].second;

@@ -28,9 +28,10 @@ struct CandidatePlan {
 /// Chooses templates, homes and categories so that the data set is balanced over templates, categories, receptacles,
 /// rooms and homes: each is drawn by inverse frequency among the tasks taken so far and the candidates planned before
 /// it in the same round. A slot keeps its first template for a few attempts, or until no home offers it a binding or it
-/// is dropped, then takes one that it has not tried; a slot of the Linguistic split keeps its phenomenon for a few
-/// templates, then takes its next. Where homes are given (Resources::homes), what they have is all there is: a slot
-/// passes over templates that no home offers a binding, without a candidate, until all had their turn.
+/// is dropped, then takes one that it has not tried, if possible one that no task has; a slot of the Linguistic split
+/// keeps its phenomenon for a few templates, then takes its next. Where homes are given (Resources::homes), what they
+/// have is all there is: a slot passes over templates that no home offers a binding, without a candidate, until all had
+/// their turn.
 ///
 /// Plans depend on the configuration and on the earlier rounds only: equal rounds give equal plans for any threads.
 class CandidatePlanner {

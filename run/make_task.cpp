@@ -17,6 +17,7 @@
 #include "run/category_weights.h"
 #include "run/fit_of_home.h"
 #include "run/given_binding.h"
+#include "run/new_uses.h"
 #include "run/sense_of_binding.h"
 
 namespace unietp {
@@ -186,7 +187,9 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
   if (!layout) return rejected({RejectionReason::NoLayout, layout.error().message});
 
   timer.enter(Stage::Generator);
-  const CategoryWeight weight = weight_in(*layout, source, slot.split, counts, nullptr);
+  const CategoryWeight weight = with_new_uses(weight_in(*layout, source, slot.split, counts, nullptr),
+                                              {plan.style, configuration.seed, slot.index / configuration.block},
+                                              source, backend.knowledge, counts);
   const SenseOf sense_of = [&](const Specification& one) { return sense_of_task(one, resources); };
   const BindingWishes wishes{configuration.binding, weight,
                              fits_home(configuration, resources, source, *layout, plan.least, plan.style)};
@@ -233,6 +236,8 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
   if (!executions) return rejected({RejectionReason::NoPlan, format(executions.error())});
   if (auto why = show(task, *executions, modes, grounding.household, timer)) return rejected(std::move(*why));
   task.traits = traits_of(source, task.episode, task.demonstration);
+  const auto uses = uses_of(source, task.episode.specification.binding, task.instruction.style, backend.knowledge);
+  task.traits.insert(task.traits.end(), uses.begin(), uses.end());
   return task;
 }
 

@@ -159,6 +159,27 @@ TEST(CandidatePlanner, ASlotTakesAnotherTemplateWhenItsOwnIsDropped) {
   EXPECT_NE(planner.round({0}, 1, {}).front().source, first);
 }
 
+TEST(CandidatePlanner, ASlotTakesATemplateThatNoTaskHasBeforeAnyOther) {
+  auto configuration = small_homes(1);
+  configuration.simulators = {Simulator::Habitat};
+  configuration.splits = {Split::Atomic};
+  const auto slots = plan_slots(configuration, committed());
+  ASSERT_TRUE(slots);
+  const auto& choices = slots->front().templates;
+  ASSERT_GT(choices.size(), 3U);
+  for (const std::size_t lacking : choices) {
+    if (lacking == choices[slots->front().first_template]) continue;
+    LayoutPool layouts(configuration, committed(), 1);
+    CandidatePlanner planner(configuration, committed(), layouts, *slots);
+    Frequencies taken;
+    for (const std::size_t source : choices)
+      if (source != lacking) taken.add({Dimension::Template, committed().templates[source].name});
+    (void)planner.round({0}, 0, taken);
+    planner.drop_template(0);
+    EXPECT_EQ(planner.round({0}, 1, taken).front().source, lacking);
+  }
+}
+
 TEST(CandidatePlanner, ASlotTakesAnotherTemplateWhenNoHomeOffersItABinding) {
   auto configuration = small_homes(1);
   configuration.simulators = {Simulator::Ai2thor};
