@@ -31,8 +31,8 @@ std::string point_text(const Vec2& at) { return "(" + number_text(at.x()) + ", "
 
 }  // namespace
 
-FloorPlan floor_plan_of(const Scene& start, const ModeRules& rules) {
-  FloorPlan plan;
+ToldFloorPlan floor_plan_of(const Scene& start, const ModeRules& rules) {
+  ToldFloorPlan plan;
   const TellingOrder order = telling_order(start);
   if (rules.rooms) {
     for (const std::size_t place : order.rooms) {
@@ -53,7 +53,7 @@ FloorPlan floor_plan_of(const Scene& start, const ModeRules& rules) {
 
 OwnPose own_pose(const Agent& agent) { return {in_cm(agent.position), turned(agent.yaw), in_degrees(agent.pitch)}; }
 
-std::string floor_plan_text(const FloorPlan& plan) {
+std::string floor_plan_text(const ToldFloorPlan& plan) {
   std::vector<std::string> rooms, doors, furniture;
   for (const PlannedRoom& room : plan.rooms) {
     std::string text = room.id;

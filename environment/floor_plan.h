@@ -32,11 +32,11 @@ struct PlannedFurniture {
 
 /// What a robot's map of a home shows: rooms, doorways, and which furniture stands where. Not how anything looks, and
 /// nothing that can be moved. Rounded to centimeters and degrees.
-struct FloorPlan {
+struct ToldFloorPlan {
   std::vector<PlannedRoom> rooms;
   std::vector<PlannedDoor> doors;
   std::vector<PlannedFurniture> furniture;
-  bool operator==(const FloorPlan&) const = default;
+  bool operator==(const ToldFloorPlan&) const = default;
 };
 
 /// Where an agent stands and looks, as it knows itself.
@@ -47,11 +47,11 @@ struct OwnPose {
 };
 
 /// Of the home of `start`, as far as the rules tell of rooms and furniture, in the order of telling_order.
-FloorPlan floor_plan_of(const Scene& start, const ModeRules& rules);
+ToldFloorPlan floor_plan_of(const Scene& start, const ModeRules& rules);
 OwnPose own_pose(const Agent& agent);
 
 /// A paragraph: "Floor plan, in meters. Rooms by corners: …". "" when it shows nothing.
-std::string floor_plan_text(const FloorPlan& plan);
+std::string floor_plan_text(const ToldFloorPlan& plan);
 /// "You stand at (1.5, 2.3), facing 90 degrees, looking 15 degrees down."
 std::string pose_text(const OwnPose& pose);
 

@@ -29,8 +29,8 @@ struct RoomContents {
 /// request. The same throughout an episode.
 struct HomeInformation {
   std::vector<NamedEntity> rooms, furniture, movables;
-  std::vector<RoomContents> by_room;    // GlobalForm::ByRoom only
-  std::optional<FloorPlan> floor_plan;  // nullopt: the settings do not tell it
+  std::vector<RoomContents> by_room;        // GlobalForm::ByRoom only
+  std::optional<ToldFloorPlan> floor_plan;  // nullopt: the settings do not tell it
   bool operator==(const HomeInformation&) const = default;
 };
 

@@ -113,7 +113,7 @@ class ObservationTree {
     return value;
   }
 
-  Value value_of(const FloorPlan& plan) const {
+  Value value_of(const ToldFloorPlan& plan) const {
     Value value = Maker::object();
     Maker::set(value, "rooms", list_of(plan.rooms));
     Maker::set(value, "doors", list_of(plan.doors));

@@ -97,7 +97,7 @@ TEST(WhatAnAgentIsTold, FollowsEachColumnAlone) {
   }
 }
 
-FloorPlan sorted(FloorPlan plan) {
+ToldFloorPlan sorted(ToldFloorPlan plan) {
   const auto by_id = [](const auto& a, const auto& b) { return a.id < b.id; };
   std::sort(plan.rooms.begin(), plan.rooms.end(), by_id);
   std::sort(plan.furniture.begin(), plan.furniture.end(), by_id);
@@ -111,7 +111,7 @@ TEST(WhatAnAgentIsTold, OnTheFloorPlanIsWhatTheExpertOfItsModeKnows) {
     const EnvironmentTask& task = *environment.task();
     auto executions = *ExecutionTree::of(task.goal, task.start, *task.data.knowledge, *task.data.profile);
     const EpisodeWindow window(executions, mode);
-    const FloorPlan told = *environment.observe().home->floor_plan;
+    const ToldFloorPlan told = *environment.observe().home->floor_plan;
     EXPECT_EQ(sorted(told), sorted(floor_plan_of(window.known_scene(), settings.rules)));
     EXPECT_EQ(told.rooms.size(), 2U);
     EXPECT_EQ(told.doors.size(), 1U);
