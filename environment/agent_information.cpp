@@ -56,6 +56,7 @@ std::shared_ptr<const HomeInformation> home_information(const World& start, cons
     RoomContents& contents = place == place_of.end() ? nowhere : home->by_room[place->second];
     (node.movable ? contents.movables : contents.furniture).push_back(named(node));
   }
+  if (settings.floor_plan) home->floor_plan = floor_plan_of(scene, rules);
   if (!nowhere.furniture.empty() || !nowhere.movables.empty()) home->by_room.push_back(std::move(nowhere));
   return home;
 }

@@ -195,9 +195,10 @@ std::string system_prompt(const Scene& start, const Settings& settings, const Pr
 
 std::string home_text(const Scene& start, const Settings& settings) {
   const ModeRules& rules = settings.rules;
-  if (settings.global == GlobalForm::ByRoom) return home_by_room(start, rules);
+  const std::string plan = settings.floor_plan ? floor_plan_text(floor_plan_of(start, rules)) : "";
+  if (settings.global == GlobalForm::ByRoom) return home_by_room(start, rules) + plan;
   const GlobalInformation known = global_information(start, rules);
-  return list("Rooms", known.rooms) + list("Furniture", known.furniture) + list("Small things", known.movables);
+  return list("Rooms", known.rooms) + list("Furniture", known.furniture) + list("Small things", known.movables) + plan;
 }
 
 std::string task_text(const std::string& instruction) { return "Task: " + instruction; }
@@ -249,10 +250,17 @@ std::string boxes_text(const Observation& observation, const Settings& settings)
   return objects_in_view(things);
 }
 
+std::string view_text(const Observation& observation, const Settings& settings) {
+  std::vector<std::string> lines{observation.pose ? pose_text(*observation.pose) : "",
+                                 boxes_text(observation, settings)};
+  std::erase(lines, "");
+  return join(lines, "\n");
+}
+
 std::string observation_text(const Observation& observation, const Settings& settings) {
   std::vector<std::string> lines{
       observation.last ? results_text(observation.results) : task_text(observation.instruction),
-      boxes_text(observation, settings)};
+      view_text(observation, settings)};
   std::erase(lines, "");
   return join(lines, "\n");
 }

@@ -25,7 +25,7 @@ std::string action_space_text(const ModeRules& rules, const Profile& profile);
 /// How objects and rooms are named, and where the agent may go at once; a paragraph, or "" where nothing is named.
 std::string naming_text(const Settings& settings, const Profile& profile);
 /// Rooms, furniture and small things of the home at the start, one line each, or on request a line for each room, as
-/// far as the rules tell of them.
+/// far as the rules tell of them; then the floor plan, where it is told.
 std::string home_text(const Scene& start, const Settings& settings);
 
 /// "Task: Put a mug on the table."
@@ -43,12 +43,14 @@ std::string actions_text(const std::vector<std::string>& actions, bool only_last
 
 /// What became of the last action, or of each action of a list as numbered lines; "" where it is not told.
 std::string results_text(const std::vector<ActionReport>& results);
-/// view_text of an observation, with boxes in the settings' form; "" where they are not told.
+/// The objects in view of an observation, with boxes in the settings' form; "" where they are not told.
 std::string boxes_text(const Observation& observation, const Settings& settings);
+/// Where the agent stands and what is in view, a line each, as far as they are told.
+std::string view_text(const Observation& observation, const Settings& settings);
 
 /// An observation as the user's turn of a chat: the task at the start, afterwards what became of the last action, or of
-/// each action of a list as numbered lines of a history; then what is in view. As much as the settings tell; the
-/// picture is sent beside it. "" when there is nothing to tell.
+/// each action of a list as numbered lines of a history; then where the agent stands, and what is in view. As much as
+/// the settings tell; the picture is sent beside it. "" when there is nothing to tell.
 std::string observation_text(const Observation& observation, const Settings& settings);
 
 /// A box in the numbers of a form, four of them in its order; in `Unit` with three decimals.

@@ -113,6 +113,8 @@ void EpisodeState::observe(std::vector<ActionReport> results) {
   const StepLimits& limits = settings.rules.limits;
   Observation& o = observation;
   if (settings.rules.boxes) o.boxes = visible_objects(episode);
+  // Without feedback it would tell which steps succeeded.
+  if (settings.floor_plan && settings.feedback != Feedback::None) o.pose = own_pose(episode.world().agent());
   if (!results.empty()) o.last = results.back();
   o.results = std::move(results);
   o.step = episode.steps();

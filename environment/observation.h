@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "environment/floor_plan.h"
 #include "scene/action.h"
 #include "scene/pixel_box.h"
 #include "simulation/picture.h"
@@ -28,7 +29,8 @@ struct RoomContents {
 /// request. The same throughout an episode.
 struct HomeInformation {
   std::vector<NamedEntity> rooms, furniture, movables;
-  std::vector<RoomContents> by_room;  // GlobalForm::ByRoom only
+  std::vector<RoomContents> by_room;        // GlobalForm::ByRoom only
+  std::optional<ToldFloorPlan> floor_plan;  // nullopt: the settings do not tell it
   bool operator==(const HomeInformation&) const = default;
 };
 
@@ -61,6 +63,7 @@ struct Observation {
   std::string instruction;
   std::optional<std::vector<ObservedObject>> boxes;  // sorted by id; nullopt: the settings do not tell them
   std::shared_ptr<const HomeInformation> home;       // never null
+  std::optional<OwnPose> pose;                       // with a floor plan, unless Feedback::None
   std::optional<ActionReport> last;                  // the last action; nullopt at the start
   std::vector<ActionReport> results;            // every action since the observation before this one, `last` included
   std::optional<std::vector<HeldObject>> held;  // nullopt: hidden (Feedback::None)

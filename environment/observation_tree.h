@@ -10,8 +10,9 @@
 namespace unietp {
 
 /// An observation as a tree of named values, the same wherever one comes out (data/schemas/observation.schema.json):
-/// {"instruction", "image", "boxes", "rooms", "furniture", "movables", "by_room", "last", "results", "held", "step",
-/// "steps_left", "failures_left", "over"}, in this order. What the settings do not tell is left out. "image" is
+/// {"instruction", "image", "boxes", "rooms", "furniture", "movables", "by_room", "floor_plan", "pose", "last",
+/// "results", "held", "step", "steps_left", "failures_left", "over"}, in this order. What the settings do not tell is
+/// left out. "image" is
 /// {"width", "height"}; whoever sends the pixels adds them. Boxes are in the settings' form. `Maker` makes the values;
 /// it has
 ///   Value text(const std::string&), number(int), real(double), flag(bool), nothing(), object(), list();
@@ -37,6 +38,8 @@ class ObservationTree {
       if (rules.furniture) Maker::set(all, "furniture", list_of(home.furniture));
       if (rules.movables) Maker::set(all, "movables", list_of(home.movables));
     }
+    if (home.floor_plan) Maker::set(all, "floor_plan", value_of(*home.floor_plan));
+    if (o_.pose) Maker::set(all, "pose", value_of(*o_.pose));
     Maker::set(all, "last", o_.last ? value_of(*o_.last) : Maker::nothing());
     Maker::set(all, "results", list_of(o_.results));
     if (o_.held) Maker::set(all, "held", list_of(*o_.held));
@@ -74,6 +77,55 @@ class ObservationTree {
     if (!contents.room.id.empty()) Maker::set(value, "room", value_of(contents.room));
     if (!contents.furniture.empty()) Maker::set(value, "furniture", list_of(contents.furniture));
     if (!contents.movables.empty()) Maker::set(value, "movables", list_of(contents.movables));
+    return value;
+  }
+
+  template <class Vector>
+  static Value numbers(const Vector& vector) {
+    Value list = Maker::list();
+    for (const double number : vector) Maker::append(list, Maker::real(number));
+    return list;
+  }
+
+  Value value_of(const PlannedRoom& room) const {
+    Value value = Maker::object(), outline = Maker::list();
+    for (const Vec2& corner : room.outline) Maker::append(outline, numbers(corner));
+    Maker::set(value, "id", Maker::text(room.id));
+    Maker::set(value, "outline", std::move(outline));
+    return value;
+  }
+
+  Value value_of(const PlannedDoor& door) const {
+    Value value = Maker::object(), rooms = Maker::list();
+    for (const std::string& room : {door.room_a, door.room_b}) Maker::append(rooms, Maker::text(room));
+    Maker::set(value, "rooms", std::move(rooms));
+    Maker::set(value, "from", numbers(door.from));
+    Maker::set(value, "to", numbers(door.to));
+    return value;
+  }
+
+  Value value_of(const PlannedFurniture& one) const {
+    Value value = Maker::object();
+    Maker::set(value, "id", Maker::text(one.id));
+    Maker::set(value, "middle", numbers(one.middle));
+    Maker::set(value, "size", numbers(one.size));
+    Maker::set(value, "turned", Maker::real(one.turned_deg));
+    return value;
+  }
+
+  Value value_of(const ToldFloorPlan& plan) const {
+    Value value = Maker::object();
+    Maker::set(value, "rooms", list_of(plan.rooms));
+    Maker::set(value, "doors", list_of(plan.doors));
+    Maker::set(value, "furniture", list_of(plan.furniture));
+    return value;
+  }
+
+  Value value_of(const OwnPose& pose) const {
+    Value value = Maker::object();
+    Maker::set(value, "position", numbers(pose.position));
+    Maker::set(value, "facing", Maker::real(pose.facing_deg));
+    Maker::set(value, "down", Maker::real(pose.down_deg));
     return value;
   }
 

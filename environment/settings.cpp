@@ -114,6 +114,8 @@ const std::vector<SettingRow>& setting_rows() {
           "on_fail", kOnFails, [](auto& s) -> auto& { return s.on_fail; }),
       choice_row(
           "global", kGlobalForms, [](auto& s) -> auto& { return s.global; }),
+      switch_row(
+          "floor_plan", [](auto& s) -> auto& { return s.floor_plan; }),
       choice_row(
           "box_form", kBoxForms, [](auto& s) -> auto& { return s.box_form; }),
       number_row(
@@ -182,6 +184,7 @@ Settings settings_for(Mode mode, Conventions conventions) {
   Settings settings;
   settings.rules = rules_of(mode);
   settings.conventions = conventions;
+  settings.floor_plan = mode != Mode::M1 && conventions == Conventions::Paper;
   if (conventions == Conventions::Release) {
     settings.rules.invalid_is_free = true;
     settings.box_form = BoxForm::Unit;

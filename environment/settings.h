@@ -58,11 +58,13 @@ struct Settings {
   Reward reward = Reward::Success;
   OnFail on_fail = OnFail::Continue;
   GlobalForm global = GlobalForm::List;
+  bool floor_plan = false;  // the home on a map, and where the agent stands in it
   BoxForm box_form = BoxForm::Pixels;
   int image_width = 0, image_height = 0;  // pixels; 0: those of the simulator's profile
   bool operator==(const Settings&) const = default;
 };
-/// The preset of a mode. `Release` sets `rules.invalid_is_free` and `box_form` unit; the rest is alike.
+/// The preset of a mode: M2 and M3 with a floor plan. `Release` sets `rules.invalid_is_free` and `box_form` unit and
+/// has no floor plan; the rest is alike.
 Settings settings_for(Mode mode, Conventions conventions = Conventions::Paper);
 
 /// Errors: Usage, naming the setting, for values out of range and for combinations that cannot be kept: with feedback
@@ -71,7 +73,7 @@ Result<Done> check(const Settings& settings);
 
 /// The names of all settings in their order: "mode", "conventions", "picture", "boxes", "rooms", "furniture",
 /// "movables", "teleport", "reach", "move", "atomic", "composite", "steps", "failures", "invalid", "feedback",
-/// "reward", "on_fail", "global", "box_form", "image_width", "image_height".
+/// "reward", "on_fail", "global", "floor_plan", "box_form", "image_width", "image_height".
 const std::vector<std::string>& setting_names();
 /// Every setting by its name: {"mode": "M1", "picture": true, "teleport": "anything", "steps": 50, "invalid":
 /// "counts", …}.

@@ -88,7 +88,7 @@ std::string pictures_slot(const PromptContext& context) {
   if (context.talk->multi || context.pictures < 2) return "";
   return "The last " + std::to_string(context.pictures) + " pictures of your camera, the present one last.";
 }
-std::string view_slot(const PromptContext& context) { return boxes_text(seen(context), settings(context)); }
+std::string view_slot(const PromptContext& context) { return view_text(seen(context), settings(context)); }
 std::string description_slot(const PromptContext& context) {
   return context.talk->described ? picture_text(*context.environment) : "";
 }
@@ -159,7 +159,10 @@ constexpr std::array kSlots{
             &history_slot},
     SlotRow{{"outcome", "what became of the last action, where the history does not say it"}, &outcome_slot},
     SlotRow{{"pictures", "a note that several pictures are sent; empty for one or none"}, &pictures_slot},
-    SlotRow{{"view", "ids and boxes of the objects in view, where the mode tells them"}, &view_slot},
+    SlotRow{
+        {"view",
+         "where the agent stands, with a floor plan; ids and boxes of the objects in view, where the mode tells them"},
+        &view_slot},
     SlotRow{{"description", "what the picture shows, in words, for models that cannot see; else empty"},
             &description_slot},
     SlotRow{{"release_actions", "the actions by the names of the released runner"}, &release_actions_slot},

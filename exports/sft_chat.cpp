@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "environment/agent_text.h"
+#include "environment/floor_plan.h"
 #include "environment/picture_text.h"
 #include "exports/sft_reasoning.h"
 
@@ -16,9 +17,9 @@ using Json = nlohmann::ordered_json;
 }  // namespace
 
 SftChat chat_of(const FinishedTask& task, Mode mode, const ValidationBackend& backend, SftView view, bool reasoning) {
-  SftChat chat{system_prompt(task.start, settings_for(mode), *backend.profile, reasoning),
-               task_text(task.record.instruction),
-               {}};
+  const Settings settings = settings_for(mode);
+  SftChat chat{
+      system_prompt(task.start, settings, *backend.profile, reasoning), task_text(task.record.instruction), {}};
   std::optional<SftReasoning> thoughts;
   if (reasoning) thoughts.emplace(task, mode, *backend.knowledge);
   Scene scene = task.start;
@@ -33,6 +34,7 @@ SftChat chat_of(const FinishedTask& task, Mode mode, const ValidationBackend& ba
       const std::string shown = picture_text(scene, step.visible);
       turn.seen += (shown.empty() ? "" : "\n") + shown;
     }
+    if (settings.floor_plan) turn.seen = pose_text(own_pose(scene.agent)) + (turn.seen.empty() ? "" : "\n") + turn.seen;
     Json answer = Json::object();
     if (thoughts) answer["reasoning"] = thoughts->before_step(i, scene);
     answer.update(command_to_json(step.command));

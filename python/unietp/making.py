@@ -25,7 +25,7 @@ def complete_settings(mode: str = "M1", **settings: Any) -> dict[str, Any]:
     """All settings of an environment: the preset of the mode, with those that are given in their place.
 
     docs/environment.md lists them: conventions, picture, boxes, rooms, furniture, movables, teleport, reach, move,
-    atomic, composite, steps, failures, invalid, feedback, reward, on_fail, global, box_form, image_width, image_height.
+    atomic, composite, steps, failures, invalid, feedback, reward, on_fail, global, floor_plan, box_form, image_width, image_height.
     `global` is a word of Python, so it is written `global_`. Raises Error for an unknown name or value.
     """
     return json.loads(_native.complete_settings(_settings_text(mode, settings)))

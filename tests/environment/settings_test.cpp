@@ -8,7 +8,10 @@
 #include <nlohmann/json.hpp>
 
 #include "environment/agent_text.h"
+#include "environment/floor_plan.h"
 #include "environment/observation_json.h"
+#include "expert/execution_tree.h"
+#include "expert/window.h"
 #include "tests/environment/house_task.h"
 
 namespace unietp {
@@ -91,6 +94,45 @@ TEST(WhatAnAgentIsTold, FollowsEachColumnAlone) {
     EXPECT_TRUE(all.contains(field)) << field;
     EXPECT_FALSE(without.contains(field)) << field;
     EXPECT_EQ(without.size(), all.size() - 1) << "and nothing else changes";
+  }
+}
+
+ToldFloorPlan sorted(ToldFloorPlan plan) {
+  const auto by_id = [](const auto& a, const auto& b) { return a.id < b.id; };
+  std::sort(plan.rooms.begin(), plan.rooms.end(), by_id);
+  std::sort(plan.furniture.begin(), plan.furniture.end(), by_id);
+  return plan;
+}
+
+TEST(WhatAnAgentIsTold, OnTheFloorPlanIsWhatTheExpertOfItsModeKnows) {
+  for (const Mode mode : {Mode::M2, Mode::M3}) {
+    const Settings settings = settings_for(mode);
+    const Environment environment = house_environment(settings);
+    const EnvironmentTask& task = *environment.task();
+    auto executions = *ExecutionTree::of(task.goal, task.start, *task.data.knowledge, *task.data.profile);
+    const EpisodeWindow window(executions, mode);
+    const ToldFloorPlan told = *environment.observe().home->floor_plan;
+    EXPECT_EQ(sorted(told), sorted(floor_plan_of(window.known_scene(), settings.rules)));
+    EXPECT_EQ(told.rooms.size(), 2U);
+    EXPECT_EQ(told.doors.size(), 1U);
+    EXPECT_EQ(told.furniture.empty(), mode == Mode::M3);
+    EXPECT_EQ(environment.observe().pose, own_pose(window.body()));
+    EXPECT_THAT(environment.prompt(false), HasSubstr("kitchen_1 (0, 0) (5, 0) (5, 4) (0, 4)"));
+    EXPECT_THAT(environment.text(), HasSubstr("You stand at (1.5, 2.3), facing 0 degrees."));
+    const std::string dresser = "dresser_1 (0.35, 1.8, 0.35) 0.8 x 0.45 x 0.7, 90";
+    EXPECT_EQ(environment.prompt(false).find(dresser) != std::string::npos, mode == Mode::M2);
+  }
+}
+
+TEST(WhatAnAgentIsTold, HasNoFloorPlanInM1NorByTheConventionsOfTheReleaseNorWhereItIsNotWanted) {
+  for (const char* json :
+       {R"({"mode": "M1"})", R"({"mode": "M2", "conventions": "release"})", R"({"mode": "M3", "floor_plan": false})"}) {
+    const Settings settings = with(json);
+    const Environment environment = house_environment(settings);
+    const Json told = observation_to_json(environment.observe(), settings);
+    EXPECT_FALSE(told.contains("floor_plan") || told.contains("pose")) << json;
+    EXPECT_THAT(environment.prompt(false), Not(HasSubstr("corners"))) << json;
+    EXPECT_THAT(environment.text(), Not(HasSubstr("You stand"))) << json;
   }
 }
 
