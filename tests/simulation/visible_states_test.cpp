@@ -263,7 +263,7 @@ TEST(VisibleState, OfALiquidInWhatHasNoHollowIsNotABlockAroundIt) {
     node.category = category;
     node.states.set({Predicate::Filled, "water"});
     std::vector<Solid> solids;
-    add_solids(node, 0, Simulator::Virtualhome, solids);
+    add_solids(node, 0, Simulator::Virtualhome, {}, solids);
     const auto liquids =
         std::count_if(solids.begin(), solids.end(), [](const Solid& solid) { return solid.skin == Skin::Liquid; });
     EXPECT_EQ(liquids, std::string(category) == "mug" ? 1 : 0) << category;
