@@ -2,12 +2,14 @@
 
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "cli/command_parser.h"
 #include "cli/command_shape_quiz.h"
 #include "core/base64.h"
 #include "core/files.h"
 #include "core/png.h"
+#include "core/text.h"
 #include "core/unknown_name.h"
 #include "scene/archetype_dimensions.h"
 #include "shapes/library.h"
@@ -20,7 +22,7 @@ namespace {
 constexpr int kPixels = 240, kColumns = 4;
 
 struct ShapeOptions {
-  std::string family;
+  std::string family, state;
   std::filesystem::path out;
   std::vector<std::filesystem::path> files;
 };
@@ -31,14 +33,32 @@ std::vector<const Knowledge*> backends_of(const std::vector<Backend>& backends) 
   return all;
 }
 
+/// `open`, or `filled:water`; nullopt for names of no state.
+std::optional<State> state_in(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  const auto predicate = predicate_named(text.substr(0, colon));
+  if (!predicate) return std::nullopt;
+  return State{*predicate, colon == std::string::npos ? "" : text.substr(colon + 1)};
+}
+
+std::vector<std::string> state_names() {
+  std::vector<std::string> names;
+  for (const StateGroup& group : state_groups()) {
+    for (const Predicate predicate : group.predicates) names.emplace_back(info(predicate).name);
+  }
+  return names;
+}
+
 /// Portraits of things of a family: of the categories that it shows, and each in several variants.
 std::vector<Picture> portraits_of(const ShapeFamily& family, const std::vector<Backend>& backends, std::size_t most,
-                                  int pixels) {
+                                  int pixels, const std::optional<State>& state = std::nullopt) {
   std::vector<Picture> pictures;
   const auto shown = shown_by(family, backends_of(backends));
   for (std::uint32_t seed = 0; pictures.size() < most && !shown.empty(); ++seed) {
     const ShownCategory& one = shown[seed % shown.size()];
-    const Node node = object_of(*one.knowledge, *one.category, seed / static_cast<std::uint32_t>(shown.size()));
+    Node node = object_of(*one.knowledge, *one.category, seed / static_cast<std::uint32_t>(shown.size()));
+    if (state) node.states.set(*state);
+    if (node.states.has(Predicate::Open)) node.opening = 1;
     Profile profile;
     profile.simulator = one.knowledge->simulator();
     pictures.push_back(portrait_of(node, profile, {.pixels = pixels, .on_table = node.movable}));
@@ -53,8 +73,11 @@ std::vector<std::string> family_names() {
 }
 
 Exit list() {
-  for (const ShapeFamily& family : built_in_shapes().families())
-    std::printf("%-22s %s\n", family.name.c_str(), family.meaning.c_str());
+  for (const ShapeFamily& family : built_in_shapes().families()) {
+    const std::string parts = join(part_names(family), ", ");
+    std::printf("%-22s %s%s\n", family.name.c_str(), family.meaning.c_str(),
+                parts.empty() ? "" : (" (parts: " + parts + ")").c_str());
+  }
   return Exit::Ok;
 }
 
@@ -68,10 +91,12 @@ Exit write_png(const Picture& picture, const std::filesystem::path& path) {
 Exit show(const ShapeOptions& options, const CommandLine& program) {
   const ShapeFamily* family = built_in_shapes().find(options.family);
   if (family == nullptr) return refuse(unknown_name_error("FAMILY", options.family, family_names()));
+  const auto state = state_in(options.state);
+  if (!options.state.empty() && !state) return refuse(unknown_name_error("--state", options.state, state_names()));
   const auto known = load_backends(program.folders);
   if (!known.errors.empty()) return refuse(known.errors);
   constexpr std::size_t kShown = 8;
-  const auto pictures = portraits_of(*family, known.backends, kShown, kPixels);
+  const auto pictures = portraits_of(*family, known.backends, kShown, kPixels, state);
   if (pictures.empty())
     return refuse({Error::Kind::Usage, "FAMILY", {}, "no category has the shape \"" + family->name + "\""});
   return write_png(sheet_of(pictures, kColumns), options.out);
@@ -155,8 +180,12 @@ void add_shape_command(CommandParser& app, CommandLine& program) {
   listing->callback([&program] { program.exit = list(); });
   auto* showing = group->add_subcommand("show", "Draw objects of a family");
   showing->explain("Up to eight objects: of the categories that have this shape, and in variants.",
-                   {{"unietp shape show mug --out mug.png", ""}});
+                   {{"unietp shape show mug --out mug.png", ""},
+                    {"unietp shape show kettle --state open --out open.png", ""},
+                    {"unietp shape show mug --state filled:coffee --out coffee.png", ""}});
   showing->add_option("FAMILY", options->family, "Name of the family")->required()->suggests(family_names());
+  showing->add_option("--state", options->state, "A state that the objects have (default: their first ones)")
+      ->suggests(state_names());
   showing->add_option("--out", options->out, "PNG to write")->required()->output();
   showing->callback([options, &program] { program.exit = show(*options, program); });
   auto* linting = group->add_subcommand("lint", "Check shapes");

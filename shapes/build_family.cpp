@@ -116,6 +116,8 @@ class Builder {
       case Kind::Cup:
       case Kind::Crate:
         return solid(part, numbers, frame, coat);
+      case Kind::Capsule:
+        return capsule(part, numbers, frame, coat);
       case Kind::Lathe:
         return lathe(part, numbers, frame, coat);
       case Kind::Rod:
@@ -148,6 +150,19 @@ class Builder {
         const Vec3 about(numbers[1], numbers[2], numbers[3]);
         return add(part.parts, frame.then_inside(turn, about - turn * about), coat);
       }
+      case Kind::Hinge: {
+        if (!states_.has(Predicate::Open)) return add(part.parts, frame, coat);
+        const auto in_box = half_m_.cwiseInverse().asDiagonal();
+        const Matrix turn = in_box * rotation(part.axis, numbers[0]) * half_m_.asDiagonal();
+        const Vec3 about(numbers[1], numbers[2], numbers[3]);
+        return add(part.parts, frame.then_inside(turn, about - turn * about), coat);
+      }
+      case Kind::Slide: {
+        const Vec3 by = states_.has(Predicate::Open) ? Vec3(numbers[0], numbers[1], numbers[2]) : Vec3(Vec3::Zero());
+        return add(part.parts, frame.then_inside(Matrix::Identity(), by), coat);
+      }
+      case Kind::Named:
+        return add(part.parts, frame, coat);
       case Kind::Paint:
         return add(part.parts, frame, painted(part, coat));
       case Kind::When:
@@ -216,9 +231,31 @@ class Builder {
       axes(second, 2) = value(part.shift[1]) / 2;
     }
     const Vec2 below = pair(part.low, Vec2::Ones()), above = pair(part.high, Vec2::Ones());
-    constexpr std::array<PieceKind, 5> kKinds{PieceKind::Block, PieceKind::Drum, PieceKind::Ball, PieceKind::Cup,
-                                              PieceKind::Crate};
-    put(part, kKinds[static_cast<std::size_t>(part.kind)], axes, center, below, above, frame, coat);
+    const PieceKind kind = part.kind == Kind::Block  ? PieceKind::Block
+                           : part.kind == Kind::Drum ? PieceKind::Drum
+                           : part.kind == Kind::Ball ? PieceKind::Ball
+                           : part.kind == Kind::Cup  ? PieceKind::Cup
+                                                     : PieceKind::Crate;
+    put(part, kind, axes, center, below, above, frame, coat);
+  }
+
+  /// A cylinder between two half balls, which are as round in meters as the ends of the box allow.
+  void capsule(const ShapePart& part, const std::vector<double>& n, const Frame& frame, const Coat& coat) {
+    const int stands = part.axis - 'x', first = part.axis == 'x' ? 1 : 0, second = part.axis == 'z' ? 1 : 2;
+    const Vec3 half = (Vec3(n[1], n[3], n[5]) - Vec3(n[0], n[2], n[4])) / 2;
+    const Vec3 center = (Vec3(n[1], n[3], n[5]) + Vec3(n[0], n[2], n[4])) / 2, half_m = half.cwiseProduct(half_m_);
+    const double cap = half[stands] * std::min(1.0, std::min(half_m[first], half_m[second]) / half_m[stands]);
+    const double straight = half[stands] - cap;
+    const auto add_at = [&](PieceKind kind, double along, double long_half) {
+      Matrix axes = Matrix::Zero();
+      axes(first, 0) = half[first];
+      axes(second, 1) = half[second];
+      axes(stands, 2) = long_half;
+      put(part, kind, axes, center + along * Vec3::Unit(stands), Vec2::Ones(), Vec2::Ones(), frame, coat);
+    };
+    if (straight > kSlack) add_at(PieceKind::Drum, 0, straight);
+    add_at(PieceKind::Ball, -straight, cap);
+    if (straight > kSlack) add_at(PieceKind::Ball, straight, cap);
   }
 
   void lathe(const ShapePart& part, const std::vector<double>& n, const Frame& frame, const Coat& coat) {
@@ -361,10 +398,8 @@ void set_back(std::vector<Piece>& pieces, bool around_body) {
   }
 }
 
-/// Stretches all pieces so that together they fill the object's box.
-void fit(std::vector<Piece>& pieces) {
-  if (pieces.empty()) return;
-  const Bounds all = bounds_of(pieces);
+/// Stretches all pieces so that what has these bounds fills the object's box.
+void fit(std::vector<Piece>& pieces, const Bounds& all) {
   for (int i = 0; i < 3; ++i) {
     const double middle = (all.low[i] + all.high[i]) / 2, reach = (all.high[i] - all.low[i]) / 2;
     if (std::abs(middle) < kSlack && std::abs(reach - 1) < kSlack) continue;
@@ -375,15 +410,28 @@ void fit(std::vector<Piece>& pieces) {
   }
 }
 
-}  // namespace
-
-std::vector<Piece> pieces_of(const ShapeFamily& family, const ShapeObject& object) {
+/// Of a family, before it is fitted.
+std::vector<Piece> loose_pieces(const ShapeFamily& family, const ShapeObject& object) {
   Builder builder(family, object, order_of(family.axes, object.size));
   builder.add(family.parts, {}, {});
   std::erase_if(builder.pieces, [](const Piece& piece) { return !has_volume(piece); });
-  set_back(builder.pieces, family.keeps_body);
-  if (!family.keeps_body) fit(builder.pieces);
   return std::move(builder.pieces);
+}
+
+}  // namespace
+
+std::vector<Piece> pieces_of(const ShapeFamily& family, const ShapeObject& object) {
+  std::vector<Piece> pieces = loose_pieces(family, object);
+  set_back(pieces, family.keeps_body);
+  if (family.keeps_body || pieces.empty()) return pieces;
+  if (family.opens && object.states.has(Predicate::Open)) {
+    ShapeObject closed = object;
+    closed.states.clear(Predicate::Open);
+    fit(pieces, bounds_of(loose_pieces(family, closed)));
+  } else {
+    fit(pieces, bounds_of(pieces));
+  }
+  return pieces;
 }
 
 const std::string* usual_color(const ShapeFamily& family, std::uint32_t seed) {
@@ -399,21 +447,23 @@ std::vector<Error> faults_of(const ShapeFamily& family, const Vec3& size, double
     Error error{Error::Kind::Schema, family.file, pos, family.name + ": " + std::move(message)};
     if (std::find(faults.begin(), faults.end(), error) == faults.end()) faults.push_back(std::move(error));
   };
-  for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
-    const ShapeObject object{size, wall_m, seed, {}};
+  for (std::uint32_t i = 0; i < (family.shows_open ? 2 : 1) * kSeeds; ++i) {
+    const bool open = i >= kSeeds;
+    ShapeObject object{size, wall_m, i % kSeeds, {}};
+    if (open) object.states.set({Predicate::Open, ""});
     Builder builder(family, object, order_of(family.axes, size));
     builder.add(family.parts, {}, {});
     if (builder.pieces.size() >= limits::kShapePieces)
       fail(family.pos, "has " + std::to_string(limits::kShapePieces) + " pieces or more");
-    for (std::size_t i = 0; i < builder.pieces.size(); ++i) {
-      if (!has_volume(builder.pieces[i]))
-        fail(builder.sources[i]->pos, "the part has no volume, or an end wider than itself");
+    for (std::size_t k = 0; k < builder.pieces.size(); ++k) {
+      if (!has_volume(builder.pieces[k]))
+        fail(builder.sources[k]->pos, "the part has no volume, or an end wider than itself");
     }
     const Bounds all = bounds_of(builder.pieces);
     const auto reaches = [&](int axis) {
       return -all.low[axis] > kLeast && -all.low[axis] < kMost && all.high[axis] > kLeast && all.high[axis] < kMost;
     };
-    if (!family.keeps_body && !(reaches(0) && reaches(1) && reaches(2)))
+    if (!family.keeps_body && !(open && family.opens) && !(reaches(0) && reaches(1) && reaches(2)))
       fail(family.pos, "is much smaller or larger than the object's box (from -1 to 1 on each axis)");
   }
   return faults;

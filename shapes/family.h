@@ -27,6 +27,7 @@ struct ShapePart {
     Block,
     Drum,
     Ball,
+    Capsule,
     Cup,
     Crate,
     Lathe,
@@ -37,6 +38,9 @@ struct ShapePart {
     Ring,
     Mirror,
     Turn,
+    Hinge,
+    Slide,
+    Named,
     Paint,
     When,
     Unless
@@ -48,6 +52,7 @@ struct ShapePart {
   std::vector<ShapeNumber> low, high, wall, floor, shift;  // options, empty when not given
   bool screen = false;
   std::vector<std::string> colors;    // of Paint: one of them by seed; "main", "dark" and "light" are the object's
+  std::string name;                   // of Named: "lid"
   std::string material;               // of Paint, "" when not given
   Predicate state = Predicate::Open;  // of When and Unless: whether the object has it
   std::vector<ShapePart> parts;       // of groups
@@ -72,7 +77,8 @@ struct ShapeFamily {
   SourcePos pos;
   ShapeAxes axes = ShapeAxes::Upright;
   bool keeps_body = false;          // drawn around the solids of the archetype
-  bool shows_open = false;          // has parts of its own when it is open
+  bool shows_open = false;          // has parts of its own when it is open, or parts that move then
+  bool opens = false;               // has parts that move when it is opened
   std::vector<std::string> colors;  // usual ones, of things whose color is not known
   std::string material;             // of things whose material is not known, "" when any
   std::vector<Parameter> parameters;
@@ -88,8 +94,11 @@ struct ShapeObject {
 };
 
 /// The pieces of one object. Parameters are drawn by its seed, and the whole is stretched along each axis so that it
-/// fills the object's box (families that keep the body are not). Pieces without volume are left out. Deterministic.
+/// fills the object's box (families that keep the body are not); what moves when it is opened fills it while it is
+/// closed. Pieces without volume are left out. Deterministic.
 std::vector<Piece> pieces_of(const ShapeFamily& family, const ShapeObject& object);
+/// The names of its parts, in order, each once.
+std::vector<std::string> part_names(const ShapeFamily& family);
 /// The usual color of an object by its seed, nullptr when the family names none.
 const std::string* usual_color(const ShapeFamily& family, std::uint32_t seed);
 

@@ -390,7 +390,8 @@ Picture picture_of(const ViewedScene& viewed, const Camera& camera, Rays& rays) 
   const auto hidden = hidden_in(viewed);
   auto solids = solids_of(viewed.scene, camera, kEverywhere_m, hidden);
   const auto in_hand = held_before(viewed.scene, camera);
-  for (const Node& node : in_hand) add_solids(node, owner_of(viewed.scene, node.id), viewed.scene.simulator, solids);
+  for (const Node& node : in_hand)
+    add_solids(node, owner_of(viewed.scene, node.id), viewed.scene.simulator, {}, solids);
   rays.build(std::move(solids));
   return Painter(viewed.scene, camera, rays, in_hand).paint(hidden);
 }

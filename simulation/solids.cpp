@@ -12,7 +12,6 @@
 #include "simulation/relations.h"
 #include "simulation/shape.h"
 #include "simulation/state_solids.h"
-#include "simulation/walls.h"
 
 namespace unietp {
 namespace {
@@ -114,7 +113,8 @@ const ShapeFamily* family_of(const Node& node, Simulator simulator) {
   return built_in_shapes().family_of(simulator, node.category, node.archetype);
 }
 
-void add_solids(const Node& node, std::int32_t owner, Simulator simulator, std::vector<Solid>& solids) {
+void add_solids(const Node& node, std::int32_t owner, Simulator simulator, std::span<const WallPiece> walls,
+                std::vector<Solid>& solids) {
   const ShapeFamily* family = family_of(node, simulator);
   const std::size_t first = solids.size();
   if (family != nullptr) {  // first, since of two equally near solids the first is seen
@@ -127,12 +127,13 @@ void add_solids(const Node& node, std::int32_t owner, Simulator simulator, std::
     for (std::size_t i = first; i < solids.size(); ++i)
       solids[i].clear = !solids[i].screen && solids[i].matter.value_or(own) == Matter::Glass;
   }
-  add_state_solids(node, owner, first, family != nullptr && family->shows_open, solids);
+  add_state_solids(node, owner, first, family != nullptr && family->shows_open, walls, solids);
 }
 
 std::vector<Solid> solids_of(const Scene& scene, const Camera& camera, double farthest,
                              const std::vector<std::size_t>& hidden) {
   std::vector<Solid> solids;
+  const std::vector<WallPiece> walls = walls_of(scene);
   const auto matters = [&](const Vec3& center, double radius) {
     return (center - camera.at).norm() - radius <= farthest && camera.may_show(center, radius);
   };
@@ -140,9 +141,9 @@ std::vector<Solid> solids_of(const Scene& scene, const Camera& camera, double fa
     const Node& node = scene.nodes[i];
     if (!matters(node.pose.position, sight_radius(node))) continue;
     if (std::binary_search(hidden.begin(), hidden.end(), i)) continue;
-    add_solids(node, static_cast<std::int32_t>(i), scene.simulator, solids);
+    add_solids(node, static_cast<std::int32_t>(i), scene.simulator, walls, solids);
   }
-  for (const WallPiece& piece : walls_of(scene)) {
+  for (const WallPiece& piece : walls) {
     if (matters(piece.pose.position, piece.size.norm() / 2))
       solids.push_back({SolidKind::Box, piece.pose, piece.size, -1, false});
   }

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "scene/scene.h"
 #include "shapes/family.h"
 #include "simulation/camera.h"
 #include "simulation/rays.h"
+#include "simulation/walls.h"
 
 namespace unietp {
 
@@ -22,8 +24,9 @@ double sight_radius(const Node& node);
 const ShapeFamily* family_of(const Node& node, Simulator simulator);
 
 /// Appends the solids that an object is seen as: the pieces of its category's shape, or the parts of its archetype, and
-/// what shows its states (state_solids.h). `owner` is stored in each.
-void add_solids(const Node& node, std::int32_t owner, Simulator simulator, std::vector<Solid>& solids);
+/// what shows its states (state_solids.h). `owner` is stored in each; `walls`: those that a plug may be in.
+void add_solids(const Node& node, std::int32_t owner, Simulator simulator, std::span<const WallPiece> walls,
+                std::vector<Solid>& solids);
 
 /// The solids at most `farthest` meters away that an image of this camera may show: objects but the hidden ones, in
 /// order of the nodes, then walls.

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "simulation/finish.h"
+#include "simulation/plug_solids.h"
 #include "simulation/shape.h"
 
 namespace unietp {
@@ -96,25 +97,6 @@ void add_water(const Node& node, const Shape& shape, Extras& extras) {
   extras.pillar({0, -h.y() - wide / 2, 0.6 * h.z()}, 1.6 * h.z(), wide, Skin::Water);
 }
 
-void add_plug(bool in, Extras& extras) {
-  const Vec3& h = extras.half;
-  const double plug = std::clamp(0.12 * h.maxCoeff(), 0.035, 0.08), cord = 0.4 * plug;
-  const double away = std::clamp(0.35 * h.maxCoeff(), 0.05, 0.18), z = -h.z() + plug;
-  const Vec3 root(h.x(), -h.y() / 2, z);
-  extras.box(root + Vec3(away / 2, 0, 0), {away, cord, cord}, Skin::Cord);
-  if (in) {
-    extras.box(root + Vec3(away + plug / 2, 0, 0), {plug, plug, plug}, Skin::Plug);
-    extras.box(root + Vec3(away + plug, 0, plug / 2), {0.012, 3.2 * plug, 3.2 * plug}, Skin::Socket);
-    return;
-  }
-  const double length = h.y() / 2 + away;  // the cord turns to the front and lies there
-  extras.box(root + Vec3(away, -length / 2, -plug / 2), {cord, length, cord}, Skin::Cord);
-  const Vec3 end = root + Vec3(away, -length, -plug / 2);
-  extras.box(end - Vec3(0, plug / 2, 0), {1.4 * plug, plug, plug}, Skin::Plug);
-  for (const double side : {-0.35 * plug, 0.35 * plug})
-    extras.box(end + Vec3(side, -1.5 * plug, 0), {0.2 * plug, plug, 0.2 * plug}, Skin::Socket);
-}
-
 void add_flame(Extras& extras) {
   const double wide = std::clamp(extras.half.head<2>().minCoeff(), 0.012, 0.05);
   const double top = extras.half.z();
@@ -146,12 +128,11 @@ double reach_of_states(const Node& node) {
 }
 
 void add_state_solids(const Node& node, std::int32_t owner, std::size_t first, bool shows_open,
-                      std::vector<Solid>& solids) {
+                      std::span<const WallPiece> walls, std::vector<Solid>& solids) {
   const Look look = look_of(node);
   const bool taps = look.on && look.device == Device::Tap, open = node.states.has(Predicate::Open);
-  if (look.level <= 0 && !taps && !open && !look.on && !node.states.has(Predicate::PluggedIn) &&
-      !node.states.has(Predicate::Unplugged))
-    return;
+  add_plug_solids(node, owner, walls, solids);
+  if (look.level <= 0 && !taps && !open && !look.on) return;
   Extras extras(node, owner, solids);
   const Shape shape = shape_of(node);
   if (look.level > 0) add_liquid(shape, look.level, node.opening, first, solids, extras);
@@ -165,8 +146,6 @@ void add_state_solids(const Node& node, std::int32_t owner, std::size_t first, b
     return solid.kind == SolidKind::Cup || solid.kind == SolidKind::Crate;
   };
   if (open && !shows_open && !swings) add_flap(any(is_hollow), extras);
-  if (node.states.has(Predicate::PluggedIn)) add_plug(true, extras);
-  if (node.states.has(Predicate::Unplugged)) add_plug(false, extras);
 }
 
 }  // namespace unietp

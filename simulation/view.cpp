@@ -97,12 +97,13 @@ PixelBox cover_of(std::span<const Outline> outlines) {
 }  // namespace
 
 struct Viewer::Walls {
-  std::vector<Solid> all;
+  std::vector<WallPiece> pieces;
+  std::vector<Solid> all;      // of each
   std::vector<Bounds> bounds;  // of each
   BodyGrid places;             // of each, by its number
 
-  explicit Walls(const Scene& scene) {
-    for (const WallPiece& piece : walls_of(scene)) {
+  explicit Walls(const Scene& scene) : pieces(walls_of(scene)) {
+    for (const WallPiece& piece : pieces) {
       all.push_back({SolidKind::Box, piece.pose, piece.size, -1, false});
       bounds.push_back(bounds_of(piece.pose, piece.size));
     }
@@ -173,7 +174,7 @@ const std::shared_ptr<const Viewer::Body>& Viewer::body_of(const Scene& scene, s
   if (bodies_[i] == nullptr || !bodies_[i]->is_of(node)) {
     auto body = std::make_shared<Body>();
     *body = {node.id, node.archetype, node.openable, node.size, node.pose, node.opening, node.boards, node.states, {}};
-    add_solids(node, static_cast<std::int32_t>(i), scene.simulator, body->solids);
+    add_solids(node, static_cast<std::int32_t>(i), scene.simulator, walls_->pieces, body->solids);
     bodies_[i] = std::move(body);
   }
   return bodies_[i];

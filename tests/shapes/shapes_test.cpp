@@ -126,6 +126,47 @@ TEST(ShapeLanguage, PutsAxesAndStatesWhereTheySay) {
   EXPECT_EQ(pieces_of(lid, {size, 0.004, 1, open}).size(), 3U);
 }
 
+TEST(ShapeLanguage, TurnsAndMovesPartsWhenOpenAndKeepsTheRest) {
+  // The lid turns rigidly, in meters: it is 0.2 m deep and then 0.2 m high.
+  const Vec3 size(0.1, 0.2, 0.4);
+  const ShapeFamily family = family_in(
+      "(box -1 1 -1 1 -1 0.8) (hinge x -90 0 1 0.8 (box -1 1 -1 1 0.8 1)) (slide 0 -1 0 (box -0.5 0.5 -1 1 -0.5 0))");
+  StateSet open;
+  open.set({Predicate::Open, ""});
+  const auto closed = pieces_of(family, {size, 0.004, 1, {}}), opened = pieces_of(family, {size, 0.004, 1, open});
+  ASSERT_EQ(closed.size(), 3U);
+  ASSERT_EQ(opened.size(), 3U);
+  EXPECT_LT((opened[0].axes - closed[0].axes).norm(), 1e-9) << "the body is not stretched";
+  EXPECT_LT((opened[0].center - closed[0].center).norm(), 1e-9);
+  EXPECT_NEAR(opened[1].center.y(), 1 + 0.02 / 0.1, 1e-6) << "behind the hinge, as far as it was above it";
+  EXPECT_NEAR(opened[1].center.z(), 0.8 + 0.1 / 0.2, 1e-6) << "as far above it as it was before it";
+  EXPECT_NEAR(opened[2].center.y() - closed[2].center.y(), -1, 1e-9);
+}
+
+TEST(ShapeLanguage, NamesOfPartsAreListedAndChangeNothing) {
+  const ShapeFamily named =
+      family_in("(part body (box -1 1 -1 1 -1 0.8)) (mirror x (part handle (ball 0.5 1 -1 1 0 1)))");
+  EXPECT_EQ(part_names(named), (std::vector<std::string>{"body", "handle"}));
+  const ShapeFamily plain = family_in("(box -1 1 -1 1 -1 0.8) (mirror x (ball 0.5 1 -1 1 0 1))");
+  const auto with = pieces_of(named, {{0.1, 0.1, 0.2}, 0.004, 1, {}}),
+             without = pieces_of(plain, {{0.1, 0.1, 0.2}, 0.004, 1, {}});
+  ASSERT_EQ(with.size(), without.size());
+  for (std::size_t i = 0; i < with.size(); ++i) EXPECT_EQ(with[i].axes, without[i].axes);
+  EXPECT_EQ(errors_in("(family a (means \"a\") (part (ball -1 1 -1 1 -1 1)))").front(),
+            "a.shapes:1:23: parse error: expected a name after \"part\"");
+}
+
+TEST(ShapeLanguage, CapsulesAreAsRoundAsTheBoxAllows) {
+  const auto pieces = pieces_of(family_in("(capsule -1 1 -1 1 -1 1)"), {{0.1, 0.1, 0.4}, 0.004, 1, {}});
+  ASSERT_EQ(pieces.size(), 3U);
+  EXPECT_EQ(pieces[0].kind, PieceKind::Drum);
+  EXPECT_EQ(pieces[1].kind, PieceKind::Ball);
+  EXPECT_NEAR(pieces[1].axes(2, 2), 0.25, 1e-4) << "0.05 m of half a height of 0.2 m";
+  EXPECT_NEAR(pieces[2].center.z(), 0.75, 1e-4);
+  const auto ball = pieces_of(family_in("(capsule -1 1 -1 1 -1 1)"), {{0.4, 0.4, 0.1}, 0.004, 1, {}});
+  EXPECT_EQ(ball.size(), 1U);
+}
+
 TEST(ShapeLanguage, LintFindsPartsWithoutVolumeAndShapesThatDoNotFit) {
   const auto faults = [](const std::string& parts) {
     return faults_of(family_in(parts), {0.1, 0.1, 0.1}, 0.004).size();
@@ -134,6 +175,7 @@ TEST(ShapeLanguage, LintFindsPartsWithoutVolumeAndShapesThatDoNotFit) {
   EXPECT_EQ(faults("(box -1 1 -1 1 -1 1) (box 0 1 0 0 0 1)"), 1U);
   EXPECT_EQ(faults("(box -1 1 -1 1 -1 1 (high 1.4))"), 1U);
   EXPECT_EQ(faults("(box -0.2 0.2 -1 1 -1 1)"), 1U);
+  EXPECT_EQ(faults("(box -1 1 -1 1 -1 1) (when open (box 0 1 0 0 0 1))"), 1U);
 }
 
 TEST(ShapeLibrary, FindsFamiliesByWholeNameBeginningEndAndArchetype) {

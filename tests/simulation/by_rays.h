@@ -40,7 +40,7 @@ inline std::vector<SeenByRays> pixels_by_rays(const Segmentation& image, std::si
 /// The pixels that show a node if nothing is before it.
 inline std::size_t silhouette_by_rays(const Scene& scene, std::size_t node, const Camera& camera, Rays& rays) {
   std::vector<Solid> solids;
-  add_solids(scene.nodes[node], static_cast<std::int32_t>(node), scene.simulator, solids);
+  add_solids(scene.nodes[node], static_cast<std::int32_t>(node), scene.simulator, walls_of(scene), solids);
   rays.build(std::move(solids));
   const Vec3 way = scene.nodes[node].pose.position - camera.at;
   const double radius = sight_radius(scene.nodes[node]);

@@ -138,7 +138,7 @@ TEST_P(ShapesOf, FillTheBoxOfEveryCategoryAndKeepItsSizes) {
     if (family == nullptr || family->keeps_body) continue;
     for (const Error& fault : faults_of(*family, category.size, 0.004)) ADD_FAILURE() << format(fault);
     std::vector<Solid> solids;
-    add_solids(node, 0, GetParam(), solids);
+    add_solids(node, 0, GetParam(), {}, solids);
     ASSERT_FALSE(solids.empty());
     for (const Solid& solid : solids) {
       EXPECT_TRUE(solid.sheared);

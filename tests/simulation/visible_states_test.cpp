@@ -1,6 +1,9 @@
-// Every state that a goal can name changes the picture of an object of every archetype.
+// Every state that a goal can name changes the picture of an object of every archetype, and of every category that can
+// have it.
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -9,6 +12,7 @@
 #include "simulation/solids.h"
 #include "simulation/state_solids.h"
 #include "tests/support/committed_knowledge.h"
+#include "tests/support/thorough.h"
 
 namespace unietp {
 namespace {
@@ -172,6 +176,69 @@ TEST(VisibleFilling, OfEveryCategoryThatCanBeFilledIsSeenFromAbove) {
   EXPECT_GE(asked, 60U);
 }
 
+/// What a goal can ask of an object of a category besides its first states: of each group of states that it has the
+/// others, and that dust covers it. With UNIETP_THOROUGH all are asked, otherwise some of each simulator.
+std::vector<State> states_of(const Knowledge& knowledge, const Category& category) {
+  std::vector<State> states;
+  for (const StateGroup& group : state_groups()) {
+    if (!knowledge.has(category.name, group.affordance)) continue;
+    for (std::size_t i = 1; i < group.predicates.size(); ++i)
+      states.push_back({group.predicates[i], group.predicates[i] == Predicate::Filled ? "water" : ""});
+  }
+  if (category.movable) states.push_back({Predicate::Covered, "dust"});
+  return states;
+}
+
+/// How many pixels of its portrait show it or its shadow.
+int pixels_of(const Node& node, const Profile& profile, const PortraitOptions& view) {
+  const Picture portrait = portrait_of(node, profile, view);
+  Portrait without = portrait_scene(node, profile, view);
+  without.scene.nodes.pop_back();
+  Rays rays;
+  const Picture empty = picture_of(without.scene, without.camera, rays);
+  int pixels = 0;
+  for (std::size_t i = 0; i < empty.rgb.size(); i += 3)
+    pixels += std::equal(&empty.rgb[i], &empty.rgb[i] + 3, &portrait.rgb[i]) ? 0 : 1;
+  return pixels;
+}
+
+class VisibleCategoryState : public ::testing::TestWithParam<Simulator> {};
+
+TEST_P(VisibleCategoryState, ChangesThePictureOfEveryCategoryThatCanHaveIt) {
+  const Knowledge& knowledge = committed_knowledge(GetParam());
+  Profile profile;
+  profile.simulator = GetParam();
+  std::vector<std::pair<const Category*, State>> all;
+  for (const Category& category : knowledge.categories()) {
+    for (const State& state : states_of(knowledge, category)) all.emplace_back(&category, state);
+  }
+  EXPECT_GE(all.size(), 100U);
+  constexpr std::size_t kSample = 40;
+  const std::size_t every = test::tries(1, 0) == 0 ? 1 : std::max<std::size_t>(1, all.size() / kSample);
+  for (std::size_t i = 0; i < all.size(); i += every) {
+    const auto& [category, state] = all[i];
+    SCOPED_TRACE(category->name + " " + std::string(info(state.predicate).name) + " " + state.symbol);
+    const Node before = object_of(knowledge, *category, 0);
+    Node after = before;
+    after.states.set(state);
+    if (state.predicate == Predicate::Open) after.opening = 1;
+    PortraitOptions view{.on_table = before.movable};
+    const auto differing = [&] {
+      return clear_pixels(portrait_of(before, profile, view), portrait_of(after, profile, view));
+    };
+    if (differing() >= kLeastPixels) continue;
+    // All of a large thing is seen from farther away than people stand.
+    constexpr double kArmsLength_m = 0.5, kMost = 4;
+    view.pixels = static_cast<int>(view.pixels * std::clamp(before.size.maxCoeff() / kArmsLength_m, 1.0, kMost));
+    const int clear = differing();
+    EXPECT_TRUE(clear >= kLeastPixels || 4 * clear >= pixels_of(before, profile, view))
+        << clear << " pixels: too few, also for a thing so thin that a fourth of what is seen of it would do";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, VisibleCategoryState, ::testing::ValuesIn(kSimulators.begin(), kSimulators.end()),
+                         [](const auto& simulator) { return std::string(name_of(simulator.param)); });
+
 /// From the side, at the height of the thing, only glass shows what is in it.
 TEST(VisibleFilling, IsSeenFromTheSideThroughGlassAlone) {
   for (const char* category : {"Mug", "Bowl", "Pot", "Cup"}) {
@@ -263,7 +330,7 @@ TEST(VisibleState, OfALiquidInWhatHasNoHollowIsNotABlockAroundIt) {
     node.category = category;
     node.states.set({Predicate::Filled, "water"});
     std::vector<Solid> solids;
-    add_solids(node, 0, Simulator::Virtualhome, solids);
+    add_solids(node, 0, Simulator::Virtualhome, {}, solids);
     const auto liquids =
         std::count_if(solids.begin(), solids.end(), [](const Solid& solid) { return solid.skin == Skin::Liquid; });
     EXPECT_EQ(liquids, std::string(category) == "mug" ? 1 : 0) << category;
