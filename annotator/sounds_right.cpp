@@ -51,7 +51,8 @@ bool sounds_right(const std::string& text) {
   constexpr std::array kNever{" from with ",    " with with ",     " in with ", " on with ",
                               " on on ",        " on in ",         " in in ",   " in on ",
                               " with on ",      " with in ",       " me it.",   " on something ",
-                              " turned on to ", " turned off to ", " at first", " for each platter "};
+                              " turned on to ", " turned off to ", " at first", " for each platter ",
+                              " up it.",        " up it ",         " up them"};
   constexpr std::array kNeverNeeded{"ick up something ", "ash something to cover ", "lean something to cover ",
                                     "ash something to dry ", "lean something to dry "};
   // "… the fork nearest to the oven in the dishwasher": into it, or so it is heard as where the oven is.

@@ -145,7 +145,8 @@ std::vector<TextRow> rows_of_bindings(const TaskRecord& task) {
   return rows;
 }
 
-/// What the traits of a task must be. Whether a bound category counts as a receptacle is up to its template.
+/// What the traits of a task must be. Whether a bound category counts as a receptacle is up to its template; one that does
+/// has no use.
 class TraitRules {
  public:
   TraitRules(const TaskRecord& task, const TaskFacts& facts) : facts_(facts) {
@@ -158,6 +159,10 @@ class TraitRules {
   /// What is wrong with the rows; "" when nothing is.
   std::string fault(const std::vector<TextRow>& rows) {
     std::set<std::string> categories = facts_.bound_categories;
+    for (const TextRow& row : rows) {
+      if (const auto use = facts_.uses.find(row[1]); row[0] == "category" && use != facts_.uses.end())
+        wanted_.emplace("use", use->second);
+    }
     std::pair<std::ptrdiff_t, std::string> last{-1, ""};
     for (const TextRow& row : rows) {
       const auto place = std::find(kDimensions.begin(), kDimensions.end(), row[0]) - kDimensions.begin();

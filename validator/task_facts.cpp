@@ -77,6 +77,17 @@ bool names_category(const TaskRecord& task, const std::string& category) {
          });
 }
 
+/// The narrowest kind of a category that the knowledge has words for in a style that names things by what they are for,
+/// or by an occasion; "" for any other.
+std::string use_of(const std::string& category, const std::string& style, const Knowledge& knowledge) {
+  const bool by_occasion = style == "context";
+  if (!by_occasion && style != "function" && style != "hypernym" && style != "description" && style != "request")
+    return "";
+  const auto words = by_occasion ? AliasKind::Occasion : *alias_kind_named(style);
+  const auto& kinds = knowledge.find(category)->kinds;
+  return knowledge.aliases_of(category, words).empty() || kinds.empty() ? "" : kinds.front();
+}
+
 }  // namespace
 
 std::string plain_words(std::string_view text) {
@@ -134,6 +145,8 @@ TaskFacts facts_of(const TaskRecord& task, const Scene& home, const Scene& start
   for (const auto& [placeholder, value] : task.bindings) {
     if (knowledge.find(value) != nullptr && names_category(task, value)) {
       facts.bound_categories.insert(task.simulator + "/" + value);
+      if (auto use = use_of(value, task.style, knowledge); !use.empty())
+        facts.uses.emplace(task.simulator + "/" + value, std::move(use));
     } else if (types.contains(value)) {
       facts.bound_rooms.insert(task.simulator + "/" + value);
     }

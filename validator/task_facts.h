@@ -21,6 +21,7 @@ struct TaskFacts {
   std::string home_key;         // equal for equal rooms, openings and furniture
   std::set<std::string> rooms;  // "ai2thor/kitchen": types of the rooms of handled objects at the start
   std::set<std::string> bound_rooms, bound_categories;  // "ai2thor/Mug": what the placeholders stand for; no values
+  std::map<std::string, std::string> uses;              // of those that have words of the text's style: the kind
   std::optional<std::vector<TextRow>> steps;            // mode, number, action, arguments, success (0 or 1), failure;
                                                         // nullopt when a demonstration does not read
 };
