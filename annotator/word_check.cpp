@@ -281,7 +281,8 @@ class Check {
   bool same_twice() const { return to_text(specification_.goal).find("(= ") != std::string::npos; }
 
   void quantifiers() {
-    if (goal_.every && !any_word(words_, "every each all. both. any. everything. none. no. always. whatever others."))
+    if (goal_.every && !any_word(words_, "every each all. both. any. everything. none. no. always. whatever others.") &&
+        !says(words_, "the other one"))
       lacks("that all are meant ('every', 'all')");
     const bool first_then = goal_.order && says(words_, "first") && says(words_, "then");
     if (goal_.none && !first_then &&
@@ -300,6 +301,7 @@ class Check {
         !says(words_, "one on each") && !says(words_, "one for each"))
       exceeds("'every'");
     if (!goal_.exactly && any_word(text_.plain, "exactly. precisely.")) exceeds("'exactly'");
+    if (says(words_, "all the") && says(words_, "the other one")) exceeds("'all' beside 'the other one'");
   }
 
   /// "two mugs", "two bottles of apple juice": without "at least", "up to" or "a couple of".

@@ -134,6 +134,9 @@ constexpr const char* kCleanFirst =
     "(exists (?b - Table) (exists (?a - Mug) (and (before (clean ?b) (on ?a ?b)) (at-end (on ?a ?b)))))";
 constexpr const char* kTaken =
     "(exists (?a - (Mug :where (exists (?t - Table) (on ?a ?t)))) (exists (?b - Fridge) (at-end (inside ?a ?b))))";
+constexpr const char* kApart =
+    "(exists (?b - Table) (exists (?c - Fridge) (at-end (and (forall (?a - Mug) (or (on ?a ?b) (inside ?a ?c))) "
+    "(exists (?d - Mug) (on ?d ?b)) (exists (?e - Mug) (inside ?e ?c))))))";
 
 TEST(OppositeFaults, AreNoWordsThatSayAnotherThing) {
   for (const auto& [goal, text] : std::initializer_list<std::pair<const char*, const char*>>{
@@ -161,6 +164,8 @@ TEST(OppositeFaults, AreWordsThatTurnTheMeaningAround) {
       {kAllOnTable, "Put both mugs on the table.", "Put none of the mugs on the table."},
       {kAllOnTable, "Put all the mugs on the table.", "Put neither of the mugs on the table; no mugs, not all."},
       {kAllOnTable, "Put every mug on the table.", "Don't put every mug on the table."},
+      {kApart, "Put one of the mugs on the table and the other one in the fridge.",
+       "Put all the mugs on the table and the other one in the fridge."},
       {kTwoMugs, "Put two mugs on a table.", "Put no mugs, neither of the two, on a table."},
       {kOneOnTable, "Put a mug on the table.", "Put all the mugs on the table."},
       {kOneOnTable, "Put a mug on the table.", "Take a mug off the table."},
