@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "simulation/shape.h"
+#include "simulation/solids.h"
 
 namespace unietp {
 namespace {
@@ -128,6 +130,63 @@ bool is_round(Archetype archetype) {
          archetype == Archetype::Vessel;
 }
 
+/// The point of a shape's solid that is farthest in a level direction.
+Vec3 farthest_point(const Solid& solid, const Vec3& way) {
+  const Vec3 along = solid.axes.transpose() * way;
+  if (solid.kind == SolidKind::Sphere) return solid.pose.position + solid.axes * along.normalized();
+  const bool round = solid.kind == SolidKind::Cylinder || solid.kind == SolidKind::Cone || solid.kind == SolidKind::Cup;
+  const auto at_end = [&](double end) {
+    const Vec2& wide = end < 0 ? solid.low : solid.high;
+    Vec2 aside = along.head<2>().cwiseProduct(wide);
+    if (round) {
+      aside = aside.norm() > 0 ? Vec2(aside.normalized().cwiseProduct(wide)) : Vec2(Vec2::Zero());
+    } else {
+      aside = {std::copysign(wide.x(), along.x()), std::copysign(wide.y(), along.y())};
+    }
+    return Vec3(solid.pose.position + solid.axes * Vec3(aside.x(), aside.y(), end));
+  };
+  const Vec3 low = at_end(-1), high = at_end(1);
+  return low.dot(way) > high.dot(way) ? low : high;
+}
+
+/// The outline from above of all that a thing is seen as, without what shows its states: its hull, in few corners.
+/// Empty for what looks like its archetype.
+std::vector<Vec2> outline_of(const Node& node, Simulator simulator) {
+  constexpr int kWays = 16;
+  constexpr double kSame_m = 0.001;
+  const ShapeFamily* family = family_of(node, simulator);
+  if (family == nullptr || family->keeps_body) return {};
+  std::vector<Solid> solids;
+  add_solids(node, 0, simulator, {}, solids);
+  std::vector<Vec2> outline;
+  for (int i = 0; i < kWays; ++i) {
+    const double angle = (2 * i + 1) * std::numbers::pi / kWays;  // off the axes, along which many edges are
+    const Vec3 way(std::cos(angle), std::sin(angle), 0);
+    Vec3 most = node.pose.position;
+    for (const Solid& solid : solids) {
+      if (!solid.sheared || solid.skin != Skin::Body) continue;
+      const Vec3 point = farthest_point(solid, way);
+      if (point.dot(way) > most.dot(way)) most = point;
+    }
+    const Vec2 corner = most.head<2>();
+    const bool known =
+        !outline.empty() && ((outline.back() - corner).norm() < kSame_m || (outline.front() - corner).norm() < kSame_m);
+    if (!known) outline.push_back(corner);
+  }
+  return outline.size() < 3 ? std::vector<Vec2>{} : outline;
+}
+
+/// Whether all corners are equally far from the middle.
+bool is_circle(const std::vector<Vec2>& outline, const Vec2& middle) {
+  constexpr double kRound = 0.03;
+  double least = 1e9, most = 0;
+  for (const Vec2& corner : outline) {
+    least = std::min(least, (corner - middle).norm());
+    most = std::max(most, (corner - middle).norm());
+  }
+  return outline.size() >= 12 && most - least < kRound * most;
+}
+
 }  // namespace
 
 std::vector<Vec2> footprint_of(const Pose& pose, const Vec3& size) {
@@ -153,14 +212,15 @@ void draw_furniture(SvgCanvas& canvas, const Node& node) {
   canvas.end_group();
 }
 
-void draw_object(SvgCanvas& canvas, const Node& node, bool hidden) {
+void draw_object(SvgCanvas& canvas, const Node& node, Simulator simulator, bool hidden) {
   std::string style = "fill=\"" + std::string(color_of(node)) + "\" stroke=\"#4d4437\" stroke-width=\"0.9\"";
   if (hidden) style += " opacity=\"0.35\"";
   canvas.begin_group(node.id);
-  if (is_round(node.archetype)) {
+  const std::vector<Vec2> outline = outline_of(node, simulator);
+  if (outline.empty() ? is_round(node.archetype) : is_circle(outline, node.pose.position.head<2>())) {
     canvas.circle(node.pose.position.head<2>(), node.size.head<2>().minCoeff() / 2, style);
   } else {
-    canvas.polygon(footprint_of(node.pose, node.size), style);
+    canvas.polygon(outline.empty() ? footprint_of(node.pose, node.size) : outline, style);
   }
   canvas.end_group();
 }

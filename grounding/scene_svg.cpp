@@ -94,7 +94,7 @@ class Drawing {
     for (const Node* node : furniture) draw_furniture(canvas_, *node);
     walls();
     const std::set<std::string> hidden = hidden_things();
-    for (const Node* node : movable) draw_object(canvas_, *node, hidden.contains(node->id));
+    for (const Node* node : movable) draw_object(canvas_, *node, scene_.simulator, hidden.contains(node->id));
     if (!legs.empty()) walk(legs);
     agent();
     labels(furniture, movable);

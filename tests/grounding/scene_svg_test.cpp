@@ -57,9 +57,36 @@ TEST(NodeDrawing, WhatHangsHighIsDashedAndWhatIsRoundIsACircle) {
                                            {Archetype::Box, 0U}}) {
     SvgCanvas canvas({-1, -1}, {1, 1}, "");
     node.archetype = archetype;
-    draw_object(canvas, node, false);
+    draw_object(canvas, node, Simulator::Ai2thor, false);
     EXPECT_EQ(count_of(std::move(canvas).finish(), "<circle"), circles) << static_cast<int>(archetype);
   }
+}
+
+/// Corners of the first polygon.
+std::size_t corners_of(const std::string& svg) {
+  const auto begin = svg.find("points=\"");
+  if (begin == std::string::npos) return 0;
+  const std::string points = svg.substr(begin + 8, svg.find('"', begin + 8) - begin - 8);
+  return static_cast<std::size_t>(std::count(points.begin(), points.end(), ','));
+}
+
+TEST(NodeDrawing, ThingsHaveTheOutlineOfTheShapeThatTheCameraShows) {
+  Node node;
+  node.id = "thing_1";
+  node.movable = true;
+  const auto drawn = [&](const char* category, const Vec3& size) {
+    SvgCanvas canvas({-1, -1}, {1, 1}, "");
+    node.category = category;
+    node.archetype = Archetype::Box;
+    node.size = size;
+    draw_object(canvas, node, Simulator::Behavior, false);
+    return std::move(canvas).finish();
+  };
+  EXPECT_EQ(corners_of(drawn("set_triangle", {0.117, 0.117, 0.005})), 3U);
+  EXPECT_EQ(corners_of(drawn("ruler", {0.33, 0.026, 0.005})), 4U);
+  EXPECT_EQ(count_of(drawn("plate", {0.2, 0.2, 0.02}), "<circle"), 1U);
+  EXPECT_GE(corners_of(drawn("frying_pan", {0.4, 0.25, 0.06})), 8U) << "round, with a handle";
+  EXPECT_EQ(corners_of(drawn("nothing_known", {0.2, 0.2, 0.2})), 4U);
 }
 
 double attribute(const std::string& element, const std::string& name) {
