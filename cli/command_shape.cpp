@@ -9,6 +9,7 @@
 #include "core/base64.h"
 #include "core/files.h"
 #include "core/png.h"
+#include "core/text.h"
 #include "core/unknown_name.h"
 #include "scene/archetype_dimensions.h"
 #include "shapes/library.h"
@@ -72,8 +73,11 @@ std::vector<std::string> family_names() {
 }
 
 Exit list() {
-  for (const ShapeFamily& family : built_in_shapes().families())
-    std::printf("%-22s %s\n", family.name.c_str(), family.meaning.c_str());
+  for (const ShapeFamily& family : built_in_shapes().families()) {
+    const std::string parts = join(part_names(family), ", ");
+    std::printf("%-22s %s%s\n", family.name.c_str(), family.meaning.c_str(),
+                parts.empty() ? "" : (" (parts: " + parts + ")").c_str());
+  }
   return Exit::Ok;
 }
 

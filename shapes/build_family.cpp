@@ -161,6 +161,8 @@ class Builder {
         const Vec3 by = states_.has(Predicate::Open) ? Vec3(numbers[0], numbers[1], numbers[2]) : Vec3(Vec3::Zero());
         return add(part.parts, frame.then_inside(Matrix::Identity(), by), coat);
       }
+      case Kind::Named:
+        return add(part.parts, frame, coat);
       case Kind::Paint:
         return add(part.parts, frame, painted(part, coat));
       case Kind::When:

@@ -40,6 +40,7 @@ struct ShapePart {
     Turn,
     Hinge,
     Slide,
+    Named,
     Paint,
     When,
     Unless
@@ -51,6 +52,7 @@ struct ShapePart {
   std::vector<ShapeNumber> low, high, wall, floor, shift;  // options, empty when not given
   bool screen = false;
   std::vector<std::string> colors;    // of Paint: one of them by seed; "main", "dark" and "light" are the object's
+  std::string name;                   // of Named: "lid"
   std::string material;               // of Paint, "" when not given
   Predicate state = Predicate::Open;  // of When and Unless: whether the object has it
   std::vector<ShapePart> parts;       // of groups
@@ -95,6 +97,8 @@ struct ShapeObject {
 /// fills the object's box (families that keep the body are not); what moves when it is opened fills it while it is
 /// closed. Pieces without volume are left out. Deterministic.
 std::vector<Piece> pieces_of(const ShapeFamily& family, const ShapeObject& object);
+/// The names of its parts, in order, each once.
+std::vector<std::string> part_names(const ShapeFamily& family);
 /// The usual color of an object by its seed, nullptr when the family names none.
 const std::string* usual_color(const ShapeFamily& family, std::uint32_t seed);
 

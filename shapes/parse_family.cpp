@@ -26,7 +26,7 @@ struct Form {
 };
 
 constexpr std::size_t kAny = limits::kShapeNumbers;
-constexpr std::array<Form, 19> kForms{{
+constexpr std::array<Form, 20> kForms{{
     {"box", Kind::Block, 6, 6, false, "x0 x1 y0 y1 z0 z1"},
     {"drum", Kind::Drum, 6, 6, false, "x0 x1 y0 y1 z0 z1"},
     {"ball", Kind::Ball, 6, 6, false, "x0 x1 y0 y1 z0 z1"},
@@ -43,6 +43,7 @@ constexpr std::array<Form, 19> kForms{{
     {"turn", Kind::Turn, 4, 4, true, "degrees cx cy cz"},
     {"hinge", Kind::Hinge, 4, 4, true, "degrees cx cy cz"},
     {"slide", Kind::Slide, 3, 3, true, "dx dy dz"},
+    {"part", Kind::Named, 0, 0, true, ""},
     {"paint", Kind::Paint, 0, 0, true, ""},
     {"when", Kind::When, 0, 0, true, ""},
     {"unless", Kind::Unless, 0, 0, true, ""},
@@ -256,6 +257,7 @@ class Reader {
     if (part.kind == Kind::Mirror || part.kind == Kind::Turn || part.kind == Kind::Hinge) i = axis(form, part);
     opens_ = opens_ || part.kind == Kind::Hinge || part.kind == Kind::Slide;
     if (part.kind == Kind::When || part.kind == Kind::Unless) i = condition(form, part);
+    if (part.kind == Kind::Named) i = name(form, part);
     for (; i < form.children.size() && is_number(form.children[i]); ++i)
       part.numbers.push_back(number(form.children[i]));
     if (part.numbers.size() < known->least || part.numbers.size() > known->most ||
@@ -301,6 +303,15 @@ class Reader {
     return 2;
   }
 
+  std::size_t name(const Sexpr& form, ShapePart& part) {
+    if (form.children.size() < 2 || !form.children[1].is_atom() || number_in(form.children[1].text)) {
+      fail(form.pos, "expected a name after \"part\"");
+      return 1;
+    }
+    part.name = form.children[1].text;
+    return 2;
+  }
+
   std::size_t axis(const Sexpr& form, ShapePart& part) {
     const std::string name = form.children.size() > 1 && form.children[1].is_atom() ? form.children[1].text : "";
     if (name != "x" && name != "y" && name != "z") {
@@ -319,6 +330,19 @@ class Reader {
 };
 
 }  // namespace
+
+std::vector<std::string> part_names(const ShapeFamily& family) {
+  std::vector<std::string> names;
+  const auto gather = [&](auto& self, const std::vector<ShapePart>& parts) -> void {
+    for (const ShapePart& part : parts) {
+      if (!part.name.empty() && std::find(names.begin(), names.end(), part.name) == names.end())
+        names.push_back(part.name);
+      self(self, part.parts);
+    }
+  };
+  gather(gather, family.parts);
+  return names;
+}
 
 FamiliesReading parse_families(std::string_view file, std::string_view text) {
   FamiliesReading reading;

@@ -143,6 +143,19 @@ TEST(ShapeLanguage, TurnsAndMovesPartsWhenOpenAndKeepsTheRest) {
   EXPECT_NEAR(opened[2].center.y() - closed[2].center.y(), -1, 1e-9);
 }
 
+TEST(ShapeLanguage, NamesOfPartsAreListedAndChangeNothing) {
+  const ShapeFamily named =
+      family_in("(part body (box -1 1 -1 1 -1 0.8)) (mirror x (part handle (ball 0.5 1 -1 1 0 1)))");
+  EXPECT_EQ(part_names(named), (std::vector<std::string>{"body", "handle"}));
+  const ShapeFamily plain = family_in("(box -1 1 -1 1 -1 0.8) (mirror x (ball 0.5 1 -1 1 0 1))");
+  const auto with = pieces_of(named, {{0.1, 0.1, 0.2}, 0.004, 1, {}}),
+             without = pieces_of(plain, {{0.1, 0.1, 0.2}, 0.004, 1, {}});
+  ASSERT_EQ(with.size(), without.size());
+  for (std::size_t i = 0; i < with.size(); ++i) EXPECT_EQ(with[i].axes, without[i].axes);
+  EXPECT_EQ(errors_in("(family a (means \"a\") (part (ball -1 1 -1 1 -1 1)))").front(),
+            "a.shapes:1:23: parse error: expected a name after \"part\"");
+}
+
 TEST(ShapeLanguage, CapsulesAreAsRoundAsTheBoxAllows) {
   const auto pieces = pieces_of(family_in("(capsule -1 1 -1 1 -1 1)"), {{0.1, 0.1, 0.4}, 0.004, 1, {}});
   ASSERT_EQ(pieces.size(), 3U);
