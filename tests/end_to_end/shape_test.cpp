@@ -27,6 +27,23 @@ TEST(ShapeCommand, ListsAndDrawsFamiliesAndAnswersAnUnknownOneWithTheNearest) {
   EXPECT_THAT(unknown.err, HasSubstr("mug"));
 }
 
+TEST(ShapeCommand, DrawsObjectsInAState) {
+  const ScratchFolder folder;
+  const auto draw = [&](const std::string& file, const std::vector<std::string>& state) {
+    std::vector<std::string> arguments{"shape", "show", "kettle", "--out", folder.at(file)};
+    arguments.insert(arguments.end(), state.begin(), state.end());
+    return run_program(arguments);
+  };
+  EXPECT_EQ(draw("closed.png", {}).code, 0);
+  EXPECT_EQ(draw("open.png", {"--state", "open"}).code, 0);
+  EXPECT_EQ(draw("full.png", {"--state", "filled:coffee"}).code, 0);
+  EXPECT_NE(*read_file(folder.at("closed.png")), *read_file(folder.at("open.png")));
+  EXPECT_NE(*read_file(folder.at("closed.png")), *read_file(folder.at("full.png")));
+  const auto unknown = draw("no.png", {"--state", "opne"});
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("open"));
+}
+
 TEST(ShapeCommand, LintsFilesWithLineAndColumnAndTheBuiltInShapesWithAllSizes) {
   const ScratchFolder folder;
   ASSERT_TRUE(write_file(folder.at("good.shapes"), "(family a (means \"a\") (ball -1 1 -1 1 -1 1))\n"));

@@ -2,6 +2,8 @@
 // have it.
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -189,18 +191,28 @@ std::vector<State> states_of(const Knowledge& knowledge, const Category& categor
   return states;
 }
 
-/// How many pixels of its portrait show it or its shadow.
-int pixels_of(const Node& node, const Profile& profile, const PortraitOptions& view) {
-  const Picture portrait = portrait_of(node, profile, view);
-  Portrait without = portrait_scene(node, profile, view);
-  without.scene.nodes.pop_back();
-  Rays rays;
-  const Picture empty = picture_of(without.scene, without.camera, rays);
-  int pixels = 0;
-  for (std::size_t i = 0; i < empty.rgb.size(); i += 3)
-    pixels += std::equal(&empty.rgb[i], &empty.rgb[i] + 3, &portrait.rgb[i]) ? 0 : 1;
-  return pixels;
+/// Whether a portrait of an object of the category shows that it has the state; of a large thing, all of which is seen
+/// from farther away than people stand, one with more pixels.
+bool is_seen(const Knowledge& knowledge, const Category& category, const State& state, std::uint32_t seed,
+             const Profile& profile) {
+  const Node before = object_of(knowledge, category, seed);
+  Node after = before;
+  after.states.set(state);
+  if (state.predicate == Predicate::Open) after.opening = 1;
+  PortraitOptions view{.on_table = before.movable};
+  const auto differs = [&] {
+    return clear_pixels(portrait_of(before, profile, view), portrait_of(after, profile, view)) >= kLeastPixels;
+  };
+  if (differs()) return true;
+  constexpr double kArmsLength_m = 0.5, kMost = 4;
+  view.pixels = static_cast<int>(view.pixels * std::clamp(before.size.maxCoeff() / kArmsLength_m, 1.0, kMost));
+  return differs();
 }
+
+/// Asked in every run: some of their states are seen from near alone, or hardly on one object of several (mud on a
+/// chopstick).
+const std::set<std::string> kThinOrLarge{"chopstick", "half_rope", "rope", "multi_station_furniture_sink",
+                                         "multi_station_wall_mounted_sink"};
 
 class VisibleCategoryState : public ::testing::TestWithParam<Simulator> {};
 
@@ -215,24 +227,13 @@ TEST_P(VisibleCategoryState, ChangesThePictureOfEveryCategoryThatCanHaveIt) {
   EXPECT_GE(all.size(), 100U);
   constexpr std::size_t kSample = 40;
   const std::size_t every = test::tries(1, 0) == 0 ? 1 : std::max<std::size_t>(1, all.size() / kSample);
-  for (std::size_t i = 0; i < all.size(); i += every) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
     const auto& [category, state] = all[i];
+    if (i % every != 0 && kThinOrLarge.count(category->name) == 0) continue;
     SCOPED_TRACE(category->name + " " + std::string(info(state.predicate).name) + " " + state.symbol);
-    const Node before = object_of(knowledge, *category, 0);
-    Node after = before;
-    after.states.set(state);
-    if (state.predicate == Predicate::Open) after.opening = 1;
-    PortraitOptions view{.on_table = before.movable};
-    const auto differing = [&] {
-      return clear_pixels(portrait_of(before, profile, view), portrait_of(after, profile, view));
-    };
-    if (differing() >= kLeastPixels) continue;
-    // All of a large thing is seen from farther away than people stand.
-    constexpr double kArmsLength_m = 0.5, kMost = 4;
-    view.pixels = static_cast<int>(view.pixels * std::clamp(before.size.maxCoeff() / kArmsLength_m, 1.0, kMost));
-    const int clear = differing();
-    EXPECT_TRUE(clear >= kLeastPixels || 4 * clear >= pixels_of(before, profile, view))
-        << clear << " pixels: too few, also for a thing so thin that a fourth of what is seen of it would do";
+    if (is_seen(knowledge, *category, state, 0, profile)) continue;
+    for (const std::uint32_t seed : {1U, 2U, 3U})
+      EXPECT_TRUE(is_seen(knowledge, *category, state, seed, profile)) << seed;
   }
 }
 
