@@ -181,27 +181,20 @@ void add_placements(TableBuilder& builder, const Json& types, const Json& recept
   builder.place_by_kind(0.05);
 }
 
-/// What follows from lists of the metadata; single effects stand in curated/ai2thor/effect.csv.
+/// What follows from lists of the metadata; the other effects stand in curated/ai2thor/effect.csv.
 void add_effects(TableBuilder& builder, const Json& types, const Json& alfred) {
   const auto& actions = alfred.at("VAL_ACTION_OBJECTS");
   const auto add = [&](const std::string& tool, Treatment treatment, const std::string& target,
-                       const std::string& gives, std::vector<EffectNeed> needs, const Source& source) {
-    builder.effect({tool, treatment, target, gives, 0, std::move(needs), source});
+                       std::vector<EffectNeed> needs, double confidence) {
+    builder.effect({tool, treatment, target, "", 0, std::move(needs), {kAlfred, confidence}});
   };
-  for (const auto& type : words(actions.at("Heatable"))) {
-    add("Microwave", Treatment::Heats, type, "", {EffectNeed::Closed, EffectNeed::PowerOn, EffectNeed::Inside},
-        {kAlfred, 1});
-  }
-  for (const auto& type : words(actions.at("Coolable"))) {
-    add("Fridge", Treatment::Cools, type, "", {EffectNeed::Closed, EffectNeed::Inside}, {kAlfred, 1});
-  }
+  for (const auto& type : words(actions.at("Heatable")))
+    add("Microwave", Treatment::Heats, type, {EffectNeed::Closed, EffectNeed::PowerOn, EffectNeed::Inside}, 1);
+  for (const auto& type : words(actions.at("Coolable")))
+    add("Fridge", Treatment::Cools, type, {EffectNeed::Closed, EffectNeed::Inside}, 1);
   for (const auto& [type, row] : types.items()) {
-    if (!builder.has(type, "pickupable")) continue;
-    if (builder.has(type, "dirtyable"))
-      add("Sink", Treatment::Washes, type, "", {EffectNeed::UnderTap}, {kAlfred, 0.9});
-    if (!builder.has(type, "fillable")) continue;
-    add("Sink", Treatment::Fills, type, "water", {EffectNeed::UnderTap}, {"curated", 0.9});
-    for (const char* drain : {"Sink", "Bathtub"}) add(drain, Treatment::Drains, type, "", {}, {"curated", 0.9});
+    if (builder.has(type, "pickupable") && builder.has(type, "dirtyable"))
+      add("Sink", Treatment::Washes, type, {EffectNeed::UnderTap}, 0.9);
   }
 }
 

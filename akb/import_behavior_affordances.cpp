@@ -1,8 +1,5 @@
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <array>
-
 #include "akb/import_behavior.h"
 
 namespace unietp::behavior {
@@ -13,17 +10,6 @@ using Json = nlohmann::json;
 bool has_door(Archetype archetype) {
   return archetype == Archetype::Cabinet || archetype == Archetype::Drawers || archetype == Archetype::Lidded ||
          archetype == Archetype::Folding;
-}
-
-/// "hot_sauce_bottle" is sold full of what its name says, so nobody fills it at a tap; a squeeze bottle, a hinged jar
-/// and a water bottle are filled, as the names by their form or use say.
-bool is_sold_full(const std::string& name) {
-  constexpr std::array<std::string_view, 5> kPacks{"_bottle", "_jar", "_carton", "_can", "_tin"};
-  constexpr std::array<std::string_view, 6> kFilled{"squeeze", "hinged", "hingeless", "water", "watering", "specimen"};
-  const auto mark = name.rfind('_');
-  if (mark == std::string::npos || std::find(kPacks.begin(), kPacks.end(), name.substr(mark)) == kPacks.end())
-    return false;
-  return std::find(kFilled.begin(), kFilled.end(), name.substr(0, mark)) == kFilled.end();
 }
 
 }  // namespace
@@ -67,11 +53,10 @@ void add_of(TableBuilder& builder, const std::string& name, const Facts& f, bool
   kind_only(KindGroup::Food, "freezable", "freezable");
   kind_only(KindGroup::Dirtied, "stainable", "dirtyable");
   kind_only(KindGroup::Dirtied, "stainable", "coverable");
-  if (!is_sold_full(name) && name != "colander") kind_only(KindGroup::Filled, "fillable", "fillable");
-  if (!is_sold_full(name) && c.movable && f.links.contains("fluidsource") &&
-      builder.is_kind(name, KindGroup::Filled)) {  // what pours was filled
-    builder.afford(name, "fillable", kInventory, 0.9);
-  }
+  kind_only(KindGroup::Filled, "fillable", "fillable");
+  if (c.movable && f.links.contains("fluidsource") &&
+      builder.is_kind(name, KindGroup::Filled))  // what pours was filled
+    afford("fillable", kInventory, 0.9);
   kind_only(KindGroup::Soaked, "particleRemover", "soakable");
 }
 

@@ -173,14 +173,14 @@ class Author {
 
   Text words_for(const Slot& slot, std::string_view before, Place place) {
     const std::string category = category_of(slot.placeholder);
-    const Formula* binder = slot.form == "slice" ? binder_of_slices(specification_.goal, category)
-                                                 : binder_of(specification_.goal, lower(slot.placeholder));
-    if (binder == nullptr) return slot.form.empty() ? bound_word(category, before) : std::nullopt;
+    const Formula* binder = slot.form == SlotForm::Slice ? binder_of_slices(specification_.goal, category)
+                                                         : binder_of(specification_.goal, lower(slot.placeholder));
+    if (binder == nullptr) return slot.form == SlotForm::Bare ? bound_word(category, before) : std::nullopt;
     const std::string& variable = binder->variable;
-    if (slot.form.empty() || slot.form == "plural") {
+    if (slot.form == SlotForm::Bare || slot.form == SlotForm::Plural) {
       // "In the same fridge", of a home with one.
       if (before.ends_with("same ") && naming_.is_alone(binder->domain)) return std::nullopt;
-      return bare(*binder, slot.form == "plural", before);
+      return bare(*binder, slot.form == SlotForm::Plural, before);
     }
     const bool whole = phrases_.scope().contains(variable);
     if (another_ && home_.members(binder->domain, variable).size() == 2) return std::nullopt;  // "the other"
@@ -200,7 +200,7 @@ class Author {
     if (is_listed_ && !naming_.was_named(variable) && !thing.modifiers.empty() &&
         !thing.modifiers.back().object.empty())
       return std::nullopt;
-    if (slot.form == "slice" && !of_slices(thing.noun)) return std::nullopt;
+    if (slot.form == SlotForm::Slice && !of_slices(thing.noun)) return std::nullopt;
     const bool closed = before.ends_with("Close ") || before.ends_with("close ") || before.ends_with("shut ");
     if (closed && naming_.has_lid(thing.noun)) return std::nullopt;
     if (before.ends_with("lid on ") && !naming_.has_lid(thing.noun)) return std::nullopt;
@@ -212,9 +212,11 @@ class Author {
     if (!named) return std::nullopt;
     const bool several = named->plural || named->text.find("pair of ") != std::string::npos;  // "them"
     if (several && speaks_of_one_) return std::nullopt;
-    const bool article = slot.form == "indefinite" || slot.form == "definite" || slot.form == "slice";
+    const bool article =
+        slot.form == SlotForm::Indefinite || slot.form == SlotForm::Definite || slot.form == SlotForm::Slice;
     if (article) return named->text;
-    return (slot.form == "inside" ? "in" : replace_all(slot.form, "-", " ")) + " " + named->text;
+    const std::string_view preposition = slot.form == SlotForm::Inside ? "in" : name_of(slot.form);
+    return replace_all(std::string(preposition), "-", " ") + " " + named->text;
   }
 
   /// The noun alone, to which the phrasing adds what it wants.

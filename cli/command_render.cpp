@@ -130,8 +130,7 @@ Result<std::string> picture(const Scene& scene, Profile profile, const RenderOpt
   if (!options.size.empty()) {
     if (const auto fine = resize(profile, options.size); !fine) return fine.error();
   }
-  const auto viewpoint = *std::find_if(kViewpoints.begin(), kViewpoints.end(),
-                                       [&](Viewpoint one) { return name_of(one) == options.camera; });
+  const auto viewpoint = *viewpoint_named(options.camera);
   if (const Channel channel = *channel_named(options.channel); channel != Channel::Color)
     return measured(scene, profile, viewpoint, channel);
   return seen(scene, profile, viewpoint, options.boxes);
@@ -152,10 +151,10 @@ Exit render(const RenderOptions& options, const DataFolders& folders) {
   const bool as_seen = options.out.extension() == ".png";
   if (options.step < 1 || options.step > scenes.size())
     return refuse({Error::Kind::Usage, "--step", {}, "expected 1 to " + std::to_string(scenes.size())});
-  if (options.boxes && (options.camera != "agent" || channel_named(options.channel) != Channel::Color))
+  const bool own = viewpoint_named(options.camera) == Viewpoint::Agent;
+  if (options.boxes && (!own || channel_named(options.channel) != Channel::Color))
     return refuse({Error::Kind::Usage, "--boxes", {}, "expected the agent's camera and color, which the boxes are of"});
-  if (!as_seen &&
-      (!options.size.empty() || options.camera != "agent" || channel_named(options.channel) != Channel::Color))
+  if (!as_seen && (!options.size.empty() || !own || channel_named(options.channel) != Channel::Color))
     return refuse({Error::Kind::Usage,
                    options.out.string(),
                    {},

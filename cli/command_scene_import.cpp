@@ -68,8 +68,9 @@ void print_table(const std::vector<ForeignHome>& homes, const std::vector<Import
   for (std::size_t i = 0; i < homes.size(); ++i) {
     if (!outcomes[i].report) continue;
     const auto& report = *outcomes[i].report;
-    print_row(homes[i].source.id, homes[i].format, report);
-    auto& [count, total] = by_format[homes[i].format];
+    const std::string format(name_of(homes[i].format));
+    print_row(homes[i].source.id, format, report);
+    auto& [count, total] = by_format[format];
     ++count;
     add(total, report);
     for (const auto& [reason, times] : causes_of(report)) causes[reason] += times;
@@ -84,7 +85,8 @@ void print_json(const SceneImportOptions& options, const std::vector<ForeignHome
   auto failed = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < homes.size(); ++i) {
     const auto& home = homes[i];
-    nlohmann::ordered_json one{{"id", home.source.id}, {"file", home.file.string()}, {"file_format", home.format}};
+    nlohmann::ordered_json one{
+        {"id", home.source.id}, {"file", home.file.string()}, {"file_format", name_of(home.format)}};
     if (outcomes[i].report) {
       one["scene"] = scene_file_name(home.source.id);
       one["counts"] = counts_to_json(*outcomes[i].report);

@@ -1,5 +1,6 @@
 #include "cli/command_shape_quiz.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -21,6 +22,27 @@ struct QuizOptions {
   std::filesystem::path out;
   std::size_t count = 96, movables = 200, furniture = 100;
   std::uint64_t seed = 1;
+};
+
+/// What a quiz can ask.
+struct QuizKind {
+  std::string_view name;
+  const char* how_many;  // the option that says it
+  std::vector<QuizItem> (*items)(const std::vector<const Knowledge*>&, const QuizOptions&);
+};
+constexpr std::array kQuizKinds{
+    QuizKind{"things", "--movables",
+             [](const auto& knowledge, const QuizOptions& options) {
+               return quiz_of_things(knowledge, options.movables, options.furniture, options.seed);
+             }},
+    QuizKind{"states", "--count",
+             [](const auto& knowledge, const QuizOptions& options) {
+               return quiz_of_states(knowledge, options.count, options.seed);
+             }},
+    QuizKind{"materials", "--count",
+             [](const auto& knowledge, const QuizOptions& options) {
+               return quiz_of_materials(knowledge, options.count, options.seed);
+             }},
 };
 
 std::vector<Picture> pictures_of(const QuizItem& item) {
@@ -82,12 +104,9 @@ Exit quiz(const QuizOptions& options, const CommandLine& program) {
   if (!known.errors.empty()) return refuse(known.errors);
   std::vector<const Knowledge*> knowledge;
   for (const Backend& backend : known.backends) knowledge.push_back(&backend.knowledge);
-  const auto items = options.of == "states" ? quiz_of_states(knowledge, options.count, options.seed)
-                     : options.of == "materials"
-                         ? quiz_of_materials(knowledge, options.count, options.seed)
-                         : quiz_of_things(knowledge, options.movables, options.furniture, options.seed);
-  if (items.empty())
-    return refuse({Error::Kind::Usage, options.of == "things" ? "--movables" : "--count", {}, "expected at least one"});
+  const auto* kind = std::ranges::find(kQuizKinds, options.of, &QuizKind::name);
+  const auto items = kind->items(knowledge, options);
+  if (items.empty()) return refuse({Error::Kind::Usage, kind->how_many, {}, "expected at least one"});
   const auto lock = prepare_folder(options.out);
   if (!lock) return refuse(lock.error());
   return write_quiz(items, options.out);
@@ -104,7 +123,9 @@ void add_shape_quiz_command(CommandParser& shape, CommandLine& program) {
       "evenly over the simulators; the same seed gives the same sheets.",
       {{"unietp shape quiz things --seed 7 --out out/quiz", ""},
        {"unietp shape quiz states --count 96 --seed 7 --out out/quiz", ""}});
-  command->add_option("OF", options->of, "What is asked")->one_of({"things", "states", "materials"})->shows_default();
+  std::vector<std::string> kinds;
+  for (const QuizKind& kind : kQuizKinds) kinds.emplace_back(kind.name);
+  command->add_option("OF", options->of, "What is asked")->one_of(kinds)->shows_default();
   command->add_option("--movables", options->movables, "Things: how many that the agent moves")->shows_default();
   command->add_option("--furniture", options->furniture, "Things: how many others")->shows_default();
   command->add_option("--count", options->count, "States and materials: how many pairs")->shows_default();

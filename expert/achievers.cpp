@@ -24,7 +24,7 @@ const std::vector<Achiever>& all_achievers() {
   static const auto ways = [] {
     std::vector<Achiever> all;
     for (const ActionInfo& action : action_table()) {
-      if (action.changes.empty()) continue;
+      if (!action.direct) continue;
       all.push_back({action.changes.front().state, AchieverKind::Direct, action.type, affordance_for(action)});
     }
     for (const TreatmentInfo& row : all_treatments()) {

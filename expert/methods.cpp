@@ -279,6 +279,9 @@ bool Methods::applies(ActionRule rule) const {
       return profile.power_needs_closed;
     case ActionRule::PowerNeedsPlug:
       return profile.power_needs_plug;
+    case ActionRule::TargetFills:
+    case ActionRule::TargetStained:
+      break;  // of no direct action
   }
   return true;
 }

@@ -7,7 +7,6 @@
 #include "core/files.h"
 #include "exports/task_folder.h"
 #include "interchange/own_ids.h"
-#include "scene/simulator_forms.h"
 
 namespace unietp {
 namespace {
@@ -34,12 +33,19 @@ std::string refusal_of(const ExpressTask& form, const FinishedTask& task) {
 
 }  // namespace
 
-Result<ExpressTask> express_form(std::string_view form, const ExportRequest& request) {
-  if (form == "ai2thor") return express_ai2thor(request);
-  if (form == "virtualhome") return express_virtualhome(request);
-  if (form == "virtualhome-unity") return express_virtualhome_unity(request);
-  if (form == "behavior") return express_behavior(request);
-  if (form != "habitat") return Error{Error::Kind::Usage, std::string(form), {}, "is no form of a simulator"};
+Result<ExpressTask> express_form(SimulatorForm::Kind form, const ExportRequest& request) {
+  switch (form) {
+    case SimulatorForm::Kind::Ai2thor:
+      return express_ai2thor(request);
+    case SimulatorForm::Kind::Virtualhome:
+      return express_virtualhome(request);
+    case SimulatorForm::Kind::VirtualhomeUnity:
+      return express_virtualhome_unity(request);
+    case SimulatorForm::Kind::Behavior:
+      return express_behavior(request);
+    case SimulatorForm::Kind::Habitat:
+      break;
+  }
   return ExpressTask([](const FinishedTask& task) -> Result<ExpressedTask> {
     return ExpressedTask{refused_by_habitat(task), nullptr};
   });
@@ -67,7 +73,7 @@ Result<ExportSummary> write_expressed(const ExportRequest& request, const Result
 Result<FormCheck> form_check(const ExportRequest& request) {
   std::array<ExpressTask, kSimulatorForms.size()> forms;
   for (std::size_t i = 0; i < forms.size(); ++i) {
-    auto form = express_form(kSimulatorForms[i].name, request);
+    auto form = express_form(kSimulatorForms[i].kind, request);
     if (!form) return form.error();
     forms[i] = std::move(*form);
   }

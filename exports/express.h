@@ -9,6 +9,7 @@
 #include "exports/finished_tasks.h"
 #include "exports/formats.h"
 #include "interchange/habitat_assets.h"
+#include "scene/simulator_forms.h"
 
 namespace unietp {
 
@@ -31,9 +32,9 @@ Result<ExpressTask> express_behavior(const ExportRequest& request);
 /// Why Habitat's form does not express a task of Habitat; "" when it does.
 std::string refused_by_habitat(const FinishedTask& task);
 
-/// The one of these that a form of simulators (scene/simulator_forms.h) is written with; Habitat's, which is written
-/// for all tasks together, only says why it refuses. Errors: as above; Usage for a name that is no such form.
-Result<ExpressTask> express_form(std::string_view form, const ExportRequest& request);
+/// The one of these that a form of simulators is written with; Habitat's, which is written for all tasks together, only
+/// says why it refuses. Errors: as above.
+Result<ExpressTask> express_form(SimulatorForm::Kind form, const ExportRequest& request);
 
 /// Writes each task of a data set that is expressed, and left_out.jsonl. Errors: as write_task_folder.
 Result<ExportSummary> write_expressed(const ExportRequest& request, const Result<ExpressTask>& express);

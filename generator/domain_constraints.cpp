@@ -140,10 +140,11 @@ std::vector<std::string> substances(const Knowledge& knowledge) {
 }
 
 std::vector<std::string> words_for(const Parameter& parameter, const Knowledge& knowledge) {
-  if (parameter.affordances.front() == "substance") return substances(knowledge);
+  if (asks_for(parameter, ParameterWord::Substance)) return substances(knowledge);
+  const bool colors = asks_for(parameter, ParameterWord::Color);
   std::vector<std::string> words;
   for (const auto& category : knowledge.categories()) {
-    const auto& own = parameter.affordances.front() == "colour" ? category.colors : category.materials;
+    const auto& own = colors ? category.colors : category.materials;
     words.insert(words.end(), own.begin(), own.end());
   }
   return sorted_unique(std::move(words));
@@ -151,22 +152,21 @@ std::vector<std::string> words_for(const Parameter& parameter, const Knowledge& 
 
 /// Whether words_for has it, without listing the others.
 bool is_word_for(const Parameter& parameter, const std::string& word, const Knowledge& knowledge) {
-  const auto& asked = parameter.affordances.front();
-  if (asked == "substance") {
+  if (asks_for(parameter, ParameterWord::Substance)) {
     return std::any_of(knowledge.effects().begin(), knowledge.effects().end(),
                        [&](const Effect& effect) { return effect.gives == word && gives_substance(effect); });
   }
+  const bool color = asks_for(parameter, ParameterWord::Color);
   return std::any_of(knowledge.categories().begin(), knowledge.categories().end(), [&](const Category& category) {
-    const auto& own = asked == "colour" ? category.colors : category.materials;
+    const auto& own = color ? category.colors : category.materials;
     return std::find(own.begin(), own.end(), word) != own.end();
   });
 }
 
 /// The first of a parameter's affordances that the knowledge base knows; nullptr when it has none.
 const std::string* first_affordance(const Parameter& parameter) {
-  const auto& pseudo = pseudo_affordances();
   for (const auto& affordance : parameter.affordances) {
-    if (std::find(pseudo.begin(), pseudo.end(), affordance) == pseudo.end()) return &affordance;
+    if (!parameter_word(affordance)) return &affordance;
   }
   return nullptr;
 }
@@ -200,17 +200,13 @@ Names common_names(const Names& names, const std::vector<std::string>& other) {
 class Wish {
  public:
   /// `all_have`: an affordance that need not be asked for; may be nullptr.
-  explicit Wish(const Parameter& parameter, const std::string* all_have = nullptr) {
+  explicit Wish(const Parameter& parameter, const std::string* all_have = nullptr)
+      : furniture_(asks_for(parameter, ParameterWord::Furniture)),
+        movable_(asks_for(parameter, ParameterWord::Movable)),
+        countable_(asks_for(parameter, ParameterWord::Countable)) {
     for (const auto& affordance : parameter.affordances) {
       if (&affordance == all_have) continue;
-      if (affordance == "furniture")
-        furniture_ = true;
-      else if (affordance == "movable")
-        movable_ = true;
-      else if (affordance == "countable")
-        countable_ = true;
-      else if (affordance != "any")
-        affordances_.push_back(affordance);
+      if (!parameter_word(affordance)) affordances_.push_back(affordance);
     }
   }
   bool met_by(const std::string& category, const Knowledge& knowledge) const {
@@ -223,7 +219,7 @@ class Wish {
   }
 
  private:
-  bool furniture_ = false, movable_ = false, countable_ = false;
+  bool furniture_, movable_, countable_;
   std::vector<std::string_view> affordances_;  // of the knowledge base
 };
 
@@ -320,16 +316,6 @@ bool affords(const Parameter& parameter, const std::string& category, const Know
   }
   if (is_value(parameter)) return is_word_for(parameter, category, knowledge);
   return Wish(parameter).met_by(category, knowledge);
-}
-
-bool is_value(const Parameter& parameter) {
-  if (parameter.affordances.size() != 1) return false;
-  const auto& word = parameter.affordances.front();
-  return word == "colour" || word == "material" || word == "substance";
-}
-
-bool is_room(const Parameter& parameter) {
-  return parameter.affordances.size() == 1 && parameter.affordances.front() == "room";
 }
 
 std::vector<std::string> slices_of(const std::string& category, const Knowledge& knowledge) {

@@ -6,7 +6,7 @@
 
 #include "akb/knowledge.h"
 #include "generator/specification.h"
-#include "templates/template.h"
+#include "templates/constraint_kinds.h"
 
 namespace unietp {
 
@@ -16,11 +16,6 @@ std::vector<std::string> room_types(const Knowledge& knowledge);
 /// Whether a category (a room type, for `room`; a word, for `color`, `material`, `substance`) has everything that the
 /// parameter asks for.
 bool affords(const Parameter& parameter, const std::string& category, const Knowledge& knowledge);
-
-/// Whether the parameter stands for a color, material or substance, not for a category.
-bool is_value(const Parameter& parameter);
-/// Whether it stands for a type of room.
-bool is_room(const Parameter& parameter);
 
 /// The categories of the pieces that slicing makes, sorted; the category itself when its slices have none of their own.
 std::vector<std::string> slices_of(const std::string& category, const Knowledge& knowledge);

@@ -53,7 +53,7 @@ std::optional<GateRefusal> wrong_category(const Parameter& parameter, const Bind
   }
   if (affords(parameter, *category, knowledge)) return std::nullopt;
   const std::string simulator(name_of(knowledge.simulator()));
-  if (parameter.affordances == std::vector<std::string>{"room"}) {
+  if (is_room(parameter)) {
     return GateRefusal{Gate::Placeholder, parameter.name, "'" + *category + "' is not a room type of " + simulator,
                        "choose one of " + join(room_types(knowledge), ", ")};
   }

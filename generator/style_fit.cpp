@@ -6,6 +6,7 @@
 #include "generator/goal_variable.h"
 #include "generator/phrase_kind.h"
 #include "scene/states.h"
+#include "templates/constraint_kinds.h"
 
 namespace unietp {
 namespace {
@@ -79,9 +80,7 @@ bool has_form_for(Style style, const Formula& goal, const Matter& matter) {
 
 /// Only what can be carried is called by another name (refine_linguistic).
 bool may_be_carried(const Parameter& parameter) {
-  return std::none_of(parameter.affordances.begin(), parameter.affordances.end(), [](const std::string& word) {
-    return word == "room" || word == "furniture" || word == "colour" || word == "material" || word == "substance";
-  });
+  return !is_room(parameter) && !is_value(parameter) && !asks_for(parameter, ParameterWord::Furniture);
 }
 
 }  // namespace
@@ -91,9 +90,6 @@ std::vector<Style> styles_fitting(const Template& source) {
     const auto own = style_named(source.refinement);
     return own ? std::vector<Style>{*own} : std::vector<Style>();
   }
-  const auto is_room = [](const Parameter& parameter) {
-    return parameter.affordances == std::vector<std::string>{"room"};
-  };
   const auto single = singular_variables(source.goal);
   Matter matter;
   matter.of_one_thing = std::any_of(single.begin(), single.end(), [&](const GoalVariable& variable) {

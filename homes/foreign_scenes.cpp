@@ -31,14 +31,14 @@ class GivenModels {
  public:
   explicit GivenModels(fs::path file) : file_(std::move(file)) {}
 
-  Result<SceneModels> of(const std::string& format) {
+  Result<SceneModels> of(SceneFormat format) {
     if (file_.empty()) return SceneModels();
-    auto& models = format == "behavior" ? inventory_ : table_;
+    const bool behavior = format == SceneFormat::Behavior;
+    auto& models = behavior ? inventory_ : table_;
     if (!models) {
       const auto text = read_maybe_gzip(file_);
       if (!text) return text.error();
-      models = format == "behavior" ? read_behavior_inventory(file_.string(), *text)
-                                    : read_scene_models(file_.string(), *text);
+      models = behavior ? read_behavior_inventory(file_.string(), *text) : read_scene_models(file_.string(), *text);
     }
     return *models;
   }
@@ -48,18 +48,18 @@ class GivenModels {
   std::optional<Result<SceneModels>> table_, inventory_;
 };
 
-Result<std::vector<SourceScene>> read_as(const std::string& format, const std::string& where, std::string_view text,
+Result<std::vector<SourceScene>> read_as(SceneFormat format, const std::string& where, std::string_view text,
                                          const std::vector<Backend>& backends, const FormatFacts& facts,
                                          GivenModels& given) {
   const auto known = [&](Simulator simulator) -> const Knowledge& {
     return backends[static_cast<std::size_t>(simulator)].knowledge;
   };
-  if (format == "ithor") return read_ithor(where, text);
-  if (format == "procthor") return read_procthor(where, text, known(Simulator::Ai2thor));
-  if (format == "virtualhome") return read_virtualhome(where, text, known(Simulator::Virtualhome), facts);
+  if (format == SceneFormat::Ithor) return read_ithor(where, text);
+  if (format == SceneFormat::Procthor) return read_procthor(where, text, known(Simulator::Ai2thor));
+  if (format == SceneFormat::Virtualhome) return read_virtualhome(where, text, known(Simulator::Virtualhome), facts);
   const auto models = given.of(format);
   if (!models) return models.error();
-  if (format == "behavior") return read_behavior(where, text, known(Simulator::Behavior), *models);
+  if (format == SceneFormat::Behavior) return read_behavior(where, text, known(Simulator::Behavior), *models);
   return read_habitat(where, text, known(Simulator::Habitat), facts, *models);
 }
 
@@ -91,8 +91,9 @@ class FreshNames {
   std::map<std::string, int> last_;  // number behind a name, so that a file of equal ids is read in linear time
 };
 
-Result<std::string> format_for(const std::string& asked, const std::string& where, std::string_view text) {
-  if (asked != "auto") return asked;
+/// The format that was asked for, or else the file's own.
+Result<SceneFormat> format_for(std::optional<SceneFormat> asked, const std::string& where, std::string_view text) {
+  if (asked) return *asked;
   if (auto found = scene_format_of(text)) return *found;
   return Error{
       Error::Kind::Usage, where, {}, "has an unknown format; accepted are " + join(scene_format_names(), ", ")};
@@ -100,17 +101,17 @@ Result<std::string> format_for(const std::string& asked, const std::string& wher
 
 }  // namespace
 
-std::optional<std::string> scene_format_of(std::string_view text) {
+std::optional<SceneFormat> scene_format_of(std::string_view text) {
   const auto any = [&](std::initializer_list<std::string_view> names) {
     return std::any_of(names.begin(), names.end(), [&](std::string_view name) { return has_field(text, name); });
   };
-  if (any({"floorPolygon"})) return "procthor";
+  if (any({"floorPolygon"})) return SceneFormat::Procthor;
   if (any({"object_instances", "articulated_object_instances", "stage_instance"}))
-    return text.find("frl_apartment") != std::string_view::npos ? "replicacad" : "hssd";
-  if (any({"objects_info", "ori_xyzw", "fixed_base"})) return "behavior";
-  if (any({"class_name"})) return "virtualhome";
-  if (any({"objectId"})) return "ithor";
-  if (any({"center"}) && any({"size"})) return "hssd";  // labeled boxes
+    return text.find("frl_apartment") != std::string_view::npos ? SceneFormat::Replicacad : SceneFormat::Hssd;
+  if (any({"objects_info", "ori_xyzw", "fixed_base"})) return SceneFormat::Behavior;
+  if (any({"class_name"})) return SceneFormat::Virtualhome;
+  if (any({"objectId"})) return SceneFormat::Ithor;
+  if (any({"center"}) && any({"size"})) return SceneFormat::Hssd;  // labeled boxes
   return std::nullopt;
 }
 
@@ -118,9 +119,10 @@ ForeignReading read_foreign_scenes(const std::string& format, const std::vector<
                                    const std::vector<Backend>& backends, const FormatFacts& facts,
                                    const fs::path& models) {
   ForeignReading reading;
-  auto accepted = scene_format_names();
-  accepted.insert(accepted.begin(), "auto");
-  if (std::find(accepted.begin(), accepted.end(), format) == accepted.end()) {
+  const auto asked = scene_format_named(format);
+  if (!asked && format != "auto") {
+    auto accepted = scene_format_names();
+    accepted.insert(accepted.begin(), "auto");
     reading.errors.push_back(unknown_name_error("format", format, accepted));
     return reading;
   }
@@ -132,7 +134,7 @@ ForeignReading read_foreign_scenes(const std::string& format, const std::vector<
       reading.errors.push_back(text.error());
       continue;
     }
-    const auto is = format_for(format, file.string(), *text);
+    const auto is = format_for(asked, file.string(), *text);
     if (!is) {
       reading.errors.push_back(is.error());
       continue;

@@ -8,20 +8,20 @@
 
 #include "core/result.h"
 #include "interchange/format_facts.h"
+#include "interchange/formats.h"
 #include "interchange/import_scene.h"
 #include "interchange/source_scene.h"
 #include "resources/resources.h"
 
 namespace unietp {
 
-/// The format of a scene file, one of scene_format_names(), detected by fields that only this format has; nullopt for
-/// none.
-std::optional<std::string> scene_format_of(std::string_view text);
+/// The format of a scene file, detected by fields that only this format has; nullopt for none.
+std::optional<SceneFormat> scene_format_of(std::string_view text);
 
 /// One home of a simulator's file. Its id can be a file name and is unique among the homes that were read together.
 struct ForeignHome {
   std::filesystem::path file;
-  std::string format;  // of scene_format_names()
+  SceneFormat format;
   SourceScene source;
 };
 

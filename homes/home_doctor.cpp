@@ -94,7 +94,7 @@ Result<HomeDiagnosis> diagnose(const HomeInFile& home, const std::vector<Backend
     const auto& foreign = std::get<ForeignHome>(home.content);
     auto imported = import_home(foreign, backends, facts, {});
     if (!imported) return imported.error();
-    diagnosis.file_format = foreign.format;
+    diagnosis.file_format = name_of(foreign.format);
     diagnosis.warnings = foreign.source.warnings;
     diagnosis.imported = std::move(imported->report);
     scene = std::move(imported->scene);

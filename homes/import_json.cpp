@@ -53,7 +53,7 @@ std::string import_to_json(const ForeignHome& home, const ImportReport& report) 
   const nlohmann::ordered_json json{{"format", "unietp-import/1"},
                                     {"id", home.source.id},
                                     {"file", home.file.filename().string()},
-                                    {"file_format", home.format},
+                                    {"file_format", name_of(home.format)},
                                     {"simulator", name_of(home.source.simulator)},
                                     {"scene", scene_file_name(home.source.id)},
                                     {"counts", counts_to_json(report)},

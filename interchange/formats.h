@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -63,7 +65,12 @@ bool has_behavior_model(const Node& node, const Knowledge& knowledge);
 /// The same with an unscaled stand-in (habitat_assets.h) for the model of what is no object of a scene of Habitat's.
 Result<ExportedScene> write_habitat_with_stand_ins(const Scene& scene, const Knowledge& knowledge);
 
-/// The formats by name: ithor, procthor, virtualhome, replicacad, hssd, behavior.
+/// The formats of scene files. Two are Habitat's.
+enum class SceneFormat : std::uint8_t { Ithor, Procthor, Virtualhome, Replicacad, Hssd, Behavior };
+std::string_view name_of(SceneFormat format);  // "ithor"
+/// In the order of the enum.
 const std::vector<std::string>& scene_format_names();
+/// nullopt for an unknown name.
+std::optional<SceneFormat> scene_format_named(std::string_view name);
 
 }  // namespace unietp

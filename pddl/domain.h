@@ -13,8 +13,8 @@ namespace unietp::pddl {
 /// "unietp-ai2thor".
 std::string domain_name(Simulator simulator);
 
-/// The domain of a simulator: preconditions and effects of its actions for everything in its knowledge base; actions on
-/// one thing alone follow from scene/action_table.h. Typed, with negative preconditions; effects are conditional only
+/// The domain of a simulator: preconditions and effects of its actions, by scene/action_table.h, for everything in its
+/// knowledge base. Typed, with negative preconditions; effects are conditional only
 /// where one action affects objects differently (those in a fridge when its door shuts) or updates monitors of temporal
 /// goals. Deterministic.
 std::string domain_text(const Knowledge& knowledge, ActionProfile profile = ActionProfile::Unietp);

@@ -19,6 +19,7 @@
 #include "run/given_binding.h"
 #include "run/new_uses.h"
 #include "run/sense_of_binding.h"
+#include "templates/purposes.h"
 
 namespace unietp {
 namespace {
@@ -207,7 +208,8 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
   GroundingOptions grounding;
   grounding.likely = plan.least == Grade::Usual;
   grounding.natural = configuration.sense > Grade::Senseless;  // also of a goal that is only tolerable
-  grounding.dangerous = source.purpose.name == "safety";
+  const PurposeKind* purpose = purpose_kind(source.purpose.name);
+  grounding.dangerous = purpose != nullptr && purpose->of_dangers;
   grounding.household = resources.recipe(slot.simulator).household.get();
   grounding.decoys = true;
   const auto& modes = configuration.modes;

@@ -47,7 +47,7 @@ std::vector<Failure> failures_of(const ActionInfo& action) {
 }
 
 std::string_view affordance_for(const ActionInfo& action) {
-  if (action.changes.empty()) return "";
+  if (!action.direct) return "";
   for (const ActionNeed& need : action.needs) {
     if (need.kind == ActionNeed::Kind::Affordance) return need.affordance;
     if (need.kind == ActionNeed::Kind::Varies) return info(need.state).group;

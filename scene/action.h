@@ -88,8 +88,16 @@ std::optional<ActionProfile> action_profile_named(std::string_view name);
 
 enum class Failure : std::uint8_t;
 
-/// A rule that only some simulators have. A need with a rule is checked only where the rule holds.
-enum class ActionRule : std::uint8_t { Always, OpenNeedsPowerOff, PowerNeedsClosed, PowerNeedsPlug };
+/// When a need is checked or a change made: always, under a rule that only some simulators have, or by what the target
+/// is.
+enum class ActionRule : std::uint8_t {
+  Always,
+  OpenNeedsPowerOff,
+  PowerNeedsClosed,
+  PowerNeedsPlug,
+  TargetFills,    // the target does not drain what is poured into it
+  TargetStained,  // the target is dirty, or covered with something other than dust
+};
 
 /// One need of an action on a target. The needs of an action are checked in order; the first that is not met is why the
 /// action fails.
@@ -105,8 +113,10 @@ struct ActionNeed {
     HandFree,       // the hand holds nothing
     Holding,        // the hand holds something
     HeldIs,         // what the hand holds is `state`
+    HeldIsNot,      // what the hand holds is not `state`
     HeldTool,       // what the hand holds has an effect of this action on the target
     TargetTool,     // the target has an effect of this action on what the hand holds
+    Fits,           // things like the one in the hand go on or inside (`state`) things like the target
     Reach,          // nothing closed is around the target, it is in reach and in sight
     ReachOrInHand,  // as Reach, or the hand holds the target
     Sight,          // the target is in sight
@@ -123,10 +133,15 @@ struct ActionNeed {
   ActionRule rule = ActionRule::Always;
 };
 
-/// The target comes to be in a state; with `only_if`, only if it was in that state.
+/// A state of the target or of what the hand holds begins, or where it is: held; on or inside the target; on_floor,
+/// where the agent stands. Covered: with what the hand holds gives.
 struct ActionChange {
+  enum class Of : std::uint8_t { Target, Held };
   Predicate state;
-  std::optional<Predicate> only_if;
+  std::optional<Predicate> only_if;  // only of what was in that state
+  Of of = Of::Target;
+  bool ends = false;  // the state ends instead
+  ActionRule rule = ActionRule::Always;
 };
 
 /// All that is known of one action type: a row of scene/action_table.cpp.
@@ -139,8 +154,9 @@ struct ActionInfo {
   bool ai2thor, virtualhome, habitat, behavior;  // the simulator has it
   std::string_view effect;                       // one line for people
   std::span<const ActionNeed> needs;             // in order of checking
-  std::span<const ActionChange> changes;         // of the target's states; the first is what the action is for
+  std::span<const ActionChange> changes;         // the first is what the action is for
   bool starts_tool;  // afterwards the target treats what is on or in it (scene/treatment.h), if it is a tool that can
+  bool direct;       // all changes are states of the target, and the hand needs nothing for them
 };
 /// The row of a type. Every type has one.
 const ActionInfo& info(ActionType type);
@@ -148,8 +164,7 @@ std::optional<ActionType> action_named(std::string_view name);
 /// A failure for each need that is not met, without repeats, in order of checking. All actions can also fail as
 /// not_offered and invalid_argument.
 std::vector<Failure> failures_of(const ActionInfo& action);
-/// The action that the agent does to an object itself, without a tool, to bring it into a state; nullopt where there is
-/// none.
+/// The direct action for a state; nullopt where there is none.
 std::optional<ActionType> direct_action(Predicate state);
 /// The affordance that a direct action needs: "openable". Empty for other actions.
 std::string_view affordance_for(const ActionInfo& action);

@@ -29,7 +29,7 @@ std::optional<ActionType> direct_action(Predicate state) {
   static const auto table = [] {
     std::array<std::optional<ActionType>, kPredicateCount> actions;
     for (const ActionInfo& action : action_table()) {
-      if (!action.changes.empty()) actions[static_cast<std::size_t>(action.changes.front().state)] = action.type;
+      if (action.direct) actions[static_cast<std::size_t>(action.changes.front().state)] = action.type;
     }
     return actions;
   }();

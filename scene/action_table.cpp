@@ -12,8 +12,8 @@ using P = Predicate;
 using NeedKind = ActionNeed::Kind;
 
 constexpr ActionNeed need(NeedKind kind, F failure) { return {kind, failure, {}, {}, {}}; }
-constexpr ActionNeed has(std::string_view affordance, F failure) {
-  return {NeedKind::Affordance, failure, {}, affordance, {}};
+constexpr ActionNeed has(std::string_view affordance, F failure, ActionRule rule = ActionRule::Always) {
+  return {NeedKind::Affordance, failure, {}, affordance, rule};
 }
 constexpr ActionNeed varies(P state, F failure) { return {NeedKind::Varies, failure, state, {}, {}}; }
 constexpr ActionNeed is(P state, F failure) { return {NeedKind::Is, failure, state, {}, {}}; }
@@ -21,6 +21,10 @@ constexpr ActionNeed is_not(P state, F failure, ActionRule rule = ActionRule::Al
   return {NeedKind::IsNot, failure, state, {}, rule};
 }
 constexpr ActionNeed held_is(P state, F failure) { return {NeedKind::HeldIs, failure, state, {}, {}}; }
+constexpr ActionNeed held_is_not(P state, F failure, ActionRule rule) {
+  return {NeedKind::HeldIsNot, failure, state, {}, rule};
+}
+constexpr ActionNeed fits(P relation) { return {NeedKind::Fits, F::DoesNotFit, relation, {}, {}}; }
 constexpr ActionNeed special(F failure) { return need(NeedKind::Special, failure); }
 
 // Needs that many actions share.
@@ -51,15 +55,15 @@ constexpr std::array kPlacingOn{kHolding,
                                 kNotCarried,
                                 kReach,
                                 special(F::NotAReceptacle),
-                                special(F::DoesNotFit),
+                                fits(P::On),
                                 special(F::NoFreePlace),
                                 special(F::DidNotRest)};
 constexpr std::array kPlacingIn{kHolding,
                                 kNotCarried,
                                 kReach,
-                                special(F::ReceptacleClosed),
+                                is_not(P::Closed, F::ReceptacleClosed),
                                 special(F::NotAReceptacle),
-                                special(F::DoesNotFit),
+                                fits(P::Inside),
                                 special(F::NoFreePlace),
                                 special(F::DidNotRest)};
 constexpr std::array kDropping{kHolding, special(F::Blocked), special(F::DidNotRest)};
@@ -82,10 +86,15 @@ constexpr std::array kSlicing{kPutDown,
                               need(NeedKind::HeldTool, F::NoKnife),
                               is_not(P::Sliced, F::NotSliceable),
                               kReach};
-constexpr std::array kPouring{
-    kHolding, held_is(P::Filled, F::VesselEmpty), kPutDown, kReach, special(F::NotFillable), special(F::AlreadyFull)};
+constexpr std::array kPouring{kHolding,
+                              held_is(P::Filled, F::VesselEmpty),
+                              kPutDown,
+                              kReach,
+                              has("fillable", F::NotFillable, ActionRule::TargetFills),
+                              is_not(P::Filled, F::AlreadyFull, ActionRule::TargetFills)};
 constexpr std::array kUsingUp{has("consumable", F::NotConsumable), kReachOrInHand, is_not(P::UsedUp, F::NotConsumable)};
-constexpr std::array kWiping{kHolding, kPutDown, need(NeedKind::HeldTool, F::NoEffect), kReach, special(F::NotReady)};
+constexpr std::array kWiping{kHolding, kPutDown, need(NeedKind::HeldTool, F::NoEffect), kReach,
+                             held_is_not(P::Dry, F::NotReady, ActionRule::TargetStained)};
 constexpr std::array kSpreading{kHolding, kPutDown, need(NeedKind::HeldTool, F::NoEffect), kReach};
 constexpr std::array kTreating{kHolding, kTargetTool, kReach, special(F::NoFreePlace)};
 constexpr std::array kSitting{has("sittable", F::NotASeat), kStandingUp, kPutDown, kReach, special(F::NoFreePlace)};
@@ -107,12 +116,24 @@ constexpr std::array kReading{has("readable", F::NotReadable), need(NeedKind::In
 
 // Changes by action.
 constexpr std::array<ActionChange, 0> kNothing{};
-constexpr ActionChange becomes(P state) { return {state, std::nullopt}; }
-constexpr ActionChange if_it_is(P before, P after) { return {after, before}; }
+constexpr ActionChange becomes(P state, ActionRule rule = ActionRule::Always) {
+  return {.state = state, .only_if = {}, .rule = rule};
+}
+constexpr ActionChange if_it_is(P before, P after) { return {.state = after, .only_if = before}; }
+constexpr ActionChange held_becomes(P state) { return {.state = state, .only_if = {}, .of = ActionChange::Of::Held}; }
+constexpr ActionChange no_longer(P state) { return {.state = state, .only_if = {}, .ends = true}; }
+constexpr std::array kPicksUp{becomes(P::Held)};
+constexpr std::array kPlacesOn{held_becomes(P::On)};
+constexpr std::array kPlacesIn{held_becomes(P::Inside)};
+constexpr std::array kDrops{held_becomes(P::OnFloor)};
 constexpr std::array kOpens{becomes(P::Open)};
 constexpr std::array kCloses{becomes(P::Closed)};
 constexpr std::array kTurnsOn{becomes(P::PowerOn)};
 constexpr std::array kTurnsOff{becomes(P::PowerOff)};
+constexpr std::array kSlices{becomes(P::Sliced)};
+constexpr std::array kPours{becomes(P::Filled, ActionRule::TargetFills), held_becomes(P::Empty)};
+constexpr std::array kWipes{no_longer(P::Covered), if_it_is(P::Dirty, P::Clean)};
+constexpr std::array kSpreads{becomes(P::Covered)};
 constexpr std::array kUsesUp{becomes(P::UsedUp)};
 constexpr std::array kSits{becomes(P::SatOn)};
 constexpr std::array kLies{becomes(P::LainOn)};
@@ -130,8 +151,11 @@ constexpr ActionInfo row(ActionType type, std::string_view name, ActionArgument 
   const bool atomic = group != ActionClass::Composite;  // composites are for planners on symbols: M1 only
   bool pictured = atomic;  // M3 names targets by boxes in the image, where the held object is not visible
   for (const ActionNeed& one : needs) pictured = pictured && one.kind != NeedKind::InHand;
-  return {type,    name,    argument, group,  true,  atomic,  pictured,   in('A'),
-          in('V'), in('H'), in('B'),  effect, needs, changes, starts_tool};
+  bool direct = !changes.empty();
+  for (const ActionNeed& one : needs) direct = direct && one.kind != NeedKind::Holding;
+  for (const ActionChange& one : changes) direct = direct && one.state != P::Held;
+  return {type,    name,    argument, group,  true,  atomic,  pictured,    in('A'),
+          in('V'), in('H'), in('B'),  effect, needs, changes, starts_tool, direct};
 }
 
 // A = AI2-THOR, V = VirtualHome, H = Habitat, B = BEHAVIOR.
@@ -155,24 +179,27 @@ constexpr std::array<ActionInfo, kActionCount> kActions{
     row(RotateHand, "rotate_hand", None, Movement, "A", kHandMoving, "the held object turns in the hand"),
     row(GoTo, "go_to", ObjectOrRoom, Reach, "AVHB", kGoing, "the agent stands by the object, or in the room"),
     row(TurnTo, "turn_to", Object, Reach, "AVHB", kFacing, "the agent faces the object and looks at it"),
-    row(PickUp, "pick_up", Object, Manipulation, "AVHB", kPicking, "the object is held and lies nowhere any more"),
-    row(PlaceOn, "place_on", Object, Manipulation, "AVHB", kPlacingOn, "the held object is let down on the object"),
-    row(PlaceIn, "place_in", Object, Manipulation, "AVHB", kPlacingIn, "the held object is let down inside the object"),
-    row(Drop, "drop", None, Manipulation, "AHB", kDropping, "the held object falls to the floor"),
+    row(PickUp, "pick_up", Object, Manipulation, "AVHB", kPicking, "the object is held and lies nowhere any more",
+        kPicksUp),
+    row(PlaceOn, "place_on", Object, Manipulation, "AVHB", kPlacingOn, "the held object is let down on the object",
+        kPlacesOn, true),
+    row(PlaceIn, "place_in", Object, Manipulation, "AVHB", kPlacingIn, "the held object is let down inside the object",
+        kPlacesIn, true),
+    row(Drop, "drop", None, Manipulation, "AHB", kDropping, "the held object falls to the floor", kDrops),
     row(Open, "open", Object, Manipulation, "AVHB", kOpening, "the object is open", kOpens, true),
     row(Close, "close", Object, Manipulation, "AVHB", kClosing, "the object is closed", kCloses, true),
     row(TurnOn, "turn_on", Object, Manipulation, "AVB", kTurningOn,
         "the object is on; a tap washes and fills what is under it", kTurnsOn, true),
     row(TurnOff, "turn_off", Object, Manipulation, "AVB", kTurningOff, "the object is off", kTurnsOff, true),
     row(Slice, "slice", Object, Manipulation, "AB", kSlicing,
-        "the object is sliced and its slices exist; needs a held knife"),
+        "the object is sliced and its slices exist; needs a held knife", kSlices),
     row(PourTo, "pour_to", Object, Manipulation, "AB", kPouring,
-        "the held vessel is empty and the object filled; a drain stays empty"),
+        "the held vessel is empty and the object filled; a drain stays empty", kPours),
     row(UseUp, "use_up", Object, Manipulation, "A", kUsingUp, "the object is used up", kUsesUp),
     row(Wipe, "wipe", Object, Manipulation, "B", kWiping,
-        "the object is clean and uncovered; needs a held cloth, soaked for stains"),
+        "the object is clean and uncovered; needs a held cloth, soaked for stains", kWipes),
     row(SpreadTo, "spread_to", Object, Manipulation, "B", kSpreading,
-        "the object is covered with what the held dispenser gives"),
+        "the object is covered with what the held dispenser gives", kSpreads),
     row(SoakWith, "soak_with", Tool, Manipulation, "B", kTreating, "the held object is soaked"),
     row(HeatWith, "heat_with", Tool, Composite, "A", kTreating, "the held object is hot"),
     row(CoolWith, "cool_with", Tool, Composite, "AB", kTreating, "the held object is cool; in a freezer it is frozen"),

@@ -4,11 +4,11 @@
 
 namespace unietp {
 
-/// What each action takes, needs and changes, in the order of ActionType. From this table follow the symbolic world's
-/// checks and changes of one object's states, what can be reached, the expert's direct actions, docs/action-table.md,
-/// and in PDDL the actions on one object. What depends on a second object (where a thing is put, what a held tool does)
-/// has only its needs here; its effects are code: symbolic/perform.cpp, and needs and effects in
-/// pddl/domain_actions.cpp. simulation/ performs all actions in code of its own, and tests hold the three together.
+/// What each action takes, needs and changes, in the order of ActionType. From this table follow the symbolic world,
+/// what can be reached, the needs and effects of actions in PDDL, the expert's direct actions and docs/action-table.md.
+/// What a change of place, slicing, and a tool bring with them is code: symbolic/perform.cpp and symbolic/treat.cpp,
+/// and pddl/action_rows.cpp and pddl/domain_actions.cpp. So are going and standing up. simulation/ performs all actions
+/// in code of its own, and tests hold the three together.
 std::span<const ActionInfo, kActionCount> action_table();
 
 /// The rows of the failures, in the order of Failure.

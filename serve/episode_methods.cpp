@@ -65,10 +65,11 @@ int side_of(const std::optional<std::uint64_t>& wanted, int own) {
   return wanted ? static_cast<int>(std::min<std::uint64_t>(*wanted, std::numeric_limits<int>::max())) : own;
 }
 
+bool is_agents(const View& view) { return viewpoint_named(view.camera) == Viewpoint::Agent; }
+
 MethodResult view_json(const Environment& environment, const View& view) {
-  const auto viewpoint =
-      std::find_if(kViewpoints.begin(), kViewpoints.end(), [&](Viewpoint one) { return name_of(one) == view.camera; });
-  if (viewpoint == kViewpoints.end()) return wrong_parameters("/camera: expected \"agent\", \"behind\" or \"above\"");
+  const auto viewpoint = viewpoint_named(view.camera);
+  if (!viewpoint) return wrong_parameters("/camera: expected \"agent\", \"behind\" or \"above\"");
   const auto channel = channel_named(view.channel);
   if (!channel) return wrong_parameters("/channel: expected \"color\", \"depth\", \"normals\" or \"instances\"");
   Json answer{{"width", view.width}, {"height", view.height}};
@@ -229,10 +230,10 @@ MethodResult render_method(const MethodCall& call) {
     const Observation& seen = session.environment->observe();
     view.width = side_of(width, seen.image_width);
     view.height = side_of(height, seen.image_height);
-    const bool own = view.camera == "agent" && channel_named(view.channel) == Channel::Color && !width && !height;
+    const bool own = is_agents(view) && channel_named(view.channel) == Channel::Color && !width && !height;
     if (boxes && !own) return wrong_parameters("\"boxes\" are those of the agent's picture in its own size");
     if (own) return picture_json(*session.environment, boxes);
-    if ((view.camera != "agent" || channel_named(view.channel) == Channel::Instances) && !call.options.privileged)
+    if ((!is_agents(view) || channel_named(view.channel) == Channel::Instances) && !call.options.privileged)
       return CallError{CallFailure::NotAllowed, "other cameras and \"instances\" need a server with --privileged"};
     return view_json(*session.environment, view);
   });

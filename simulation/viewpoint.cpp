@@ -76,6 +76,13 @@ std::string_view name_of(Viewpoint viewpoint) {
   return "";
 }
 
+std::optional<Viewpoint> viewpoint_named(std::string_view name) {
+  for (const Viewpoint one : kViewpoints) {
+    if (name_of(one) == name) return one;
+  }
+  return std::nullopt;
+}
+
 Scene with_agent(const Scene& scene, const Profile& profile) {
   Scene staged = scene;
   staged.agent.held.clear();  // so that it is not hidden: its pose is that of the hand

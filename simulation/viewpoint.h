@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "scene/scene.h"
@@ -17,6 +18,8 @@ namespace unietp {
 enum class Viewpoint : std::uint8_t { Agent, Behind, Above };
 inline constexpr std::array kViewpoints{Viewpoint::Agent, Viewpoint::Behind, Viewpoint::Above};
 std::string_view name_of(Viewpoint viewpoint);  // "agent", "behind", "above"
+/// nullopt for an unknown name.
+std::optional<Viewpoint> viewpoint_named(std::string_view name);
 
 /// A scene as a camera finds it.
 struct Shot {

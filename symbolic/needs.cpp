@@ -54,6 +54,11 @@ Failure check(const Setting& setting, const World& world, const Step& step, cons
       return unless(world.held != kNobody);
     case Kind::HeldIs:
       return unless(world[world.held].has(need.state));
+    case Kind::HeldIsNot:
+      return unless(!world[world.held].has(need.state));
+    case Kind::Fits:
+      return unless(setting.rules->capacity(setting.kind_number(world.held), need.state, setting.kind_number(target)) >
+                    0);
     case Kind::HeldTool:
       return unless(has_effect(setting, world.held, step.action, target));
     case Kind::TargetTool:
@@ -79,7 +84,7 @@ Failure check(const Setting& setting, const World& world, const Step& step, cons
 
 }  // namespace
 
-bool applies(const Setting& setting, ActionRule rule, Id thing) {
+bool applies(const Setting& setting, const World& world, ActionRule rule, Id target) {
   const Capabilities& capabilities = setting.rules->capabilities();
   switch (rule) {
     case ActionRule::Always:
@@ -87,16 +92,22 @@ bool applies(const Setting& setting, ActionRule rule, Id thing) {
     case ActionRule::OpenNeedsPowerOff:
       return capabilities.open_needs_power_off;
     case ActionRule::PowerNeedsClosed:
-      return capabilities.power_needs_closed && setting.kind_of(thing).shuts_to_run;
+      return capabilities.power_needs_closed && setting.kind_of(target).shuts_to_run;
     case ActionRule::PowerNeedsPlug:
       return capabilities.power_needs_plug;
+    case ActionRule::TargetFills:
+      return !setting.kind_of(target).drain && setting.rules->reaction(setting.kind_number(target), Treatment::Drains,
+                                                                       setting.kind_number(world.held)) == nullptr;
+    case ActionRule::TargetStained:  // dust comes off with a dry cloth
+      return world[target].has(Predicate::Dirty) ||
+             world[target].coats.has_other_than(setting.rules->symbol_named("dust"));
   }
   return true;
 }
 
 Failure first_unmet(const Setting& setting, const World& world, const Step& step) {
   for (const ActionNeed& need : info(step.action).needs) {
-    if (need.rule != ActionRule::Always && !applies(setting, need.rule, step.target)) continue;
+    if (!applies(setting, world, need.rule, step.target)) continue;
     if (const Failure failure = check(setting, world, step, need); failure != Failure::None) return failure;
   }
   return Failure::None;

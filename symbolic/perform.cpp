@@ -49,17 +49,11 @@ void lift(World& world, Id thing) {
   if (world.by == thing) world.by = kNobody;
 }
 
-Failure place(const Setting& setting, World& world, const Step& step) {
+Failure place(const Setting& setting, World& world, const Step& step, Predicate relation) {
   const Id item = world.held;
   const Id target = step.target;
-  const bool inside = step.action == ActionType::PlaceIn;
-  if (inside && setting.kind_of(target).openable && !world[target].has(Predicate::Open))
-    return Failure::ReceptacleClosed;
-  const Predicate relation = inside ? Predicate::Inside : Predicate::On;
-  if (setting.rules->capacity(setting.kind_number(item), relation, setting.kind_number(target)) == 0)
-    return Failure::DoesNotFit;
   if (!has_room(setting, world, item, relation, target)) return Failure::NoFreePlace;
-  const PlaceKind where = inside ? PlaceKind::Inside : PlaceKind::On;
+  const PlaceKind where = relation == Predicate::Inside ? PlaceKind::Inside : PlaceKind::On;
   if (step.beside != kNobody && (world[step.beside].where != where || world[step.beside].at != target))
     return Failure::NoFreePlace;
   Thing& thing = world[item];
@@ -68,10 +62,9 @@ Failure place(const Setting& setting, World& world, const Step& step) {
   thing.beside = step.beside;
   thing.under = false;
   thing.attached =
-      !inside && setting.rules->capabilities().attaching &&
+      relation == Predicate::On && setting.rules->capabilities().attaching &&
       setting.rules->reaction(setting.kind_number(target), Treatment::Attaches, setting.kind_number(item)) != nullptr;
   world.held = kNobody;
-  run_processes(setting, world, target, false);
   return Failure::None;
 }
 
@@ -81,16 +74,39 @@ void stand_up(World& world) {
   world.seat = kNobody;
 }
 
-/// The changes of a direct action.
-void change(const Setting& setting, World& world, const ActionInfo& action, Id id) {
+/// Makes one change of the action's row.
+Failure change(const Setting& setting, World& world, const Step& step, const ActionChange& change) {
+  const Id id = change.of == ActionChange::Of::Held ? world.held : step.target;
   Thing& thing = world[id];
-  for (const ActionChange& change : action.changes) {
-    if (change.only_if && !thing.has(*change.only_if)) continue;
-    thing.set(change.state);
-    if (change.state == Predicate::Empty) thing.filling = {};
-    if (change.state == Predicate::SatOn || change.state == Predicate::LainOn) world.seat = id;
+  if (change.only_if && !thing.has(*change.only_if)) return Failure::None;
+  switch (change.state) {
+    case Predicate::Held:
+      lift(world, id);
+      return Failure::None;
+    case Predicate::On:
+    case Predicate::Inside:
+      return place(setting, world, step, change.state);
+    case Predicate::OnFloor:
+      return drop(setting, world, step);
+    case Predicate::Sliced:
+      return slice(setting, world, id);
+    case Predicate::Covered:
+      if (change.ends) {
+        thing.coats.clear();
+      } else {
+        thing.coats.insert(
+            setting.rules->reaction(setting.kind_number(world.held), Treatment::Dispenses, setting.kind_number(id))
+                ->symbol);
+      }
+      return Failure::None;
+    default:
+      break;
   }
-  if (action.starts_tool) run_processes(setting, world, id, false);
+  thing.set(change.state);
+  if (change.state == Predicate::Filled) thing.filling = world[world.held].filling;
+  if (change.state == Predicate::Empty) thing.filling = {};
+  if (change.state == Predicate::SatOn || change.state == Predicate::LainOn) world.seat = id;
+  return Failure::None;
 }
 
 /// Uses the first effect of the tool that belongs to the action.
@@ -104,34 +120,15 @@ Failure treat(const Setting& setting, World& world, const Step& step, std::vecto
 }
 
 Failure carry_out(const Setting& setting, World& world, const Step& step, std::vector<World>* passed) {
-  switch (step.action) {
-    case ActionType::GoTo:
-      return go_to(world, step.target);
-    case ActionType::PickUp:
-      lift(world, step.target);
-      return Failure::None;
-    case ActionType::PlaceOn:
-    case ActionType::PlaceIn:
-      return place(setting, world, step);
-    case ActionType::Drop:
-      return drop(setting, world, step);
-    case ActionType::Slice:
-      return slice(setting, world, step.target);
-    case ActionType::PourTo:
-      return pour_to(setting, world, step.target);
-    case ActionType::Wipe:
-      return wipe(setting, world, step.target);
-    case ActionType::SpreadTo:
-      return spread_to(setting, world, step.target);
-    case ActionType::StandUp:
-      stand_up(world);
-      return Failure::None;
-    default:
-      break;
-  }
   const ActionInfo& action = info(step.action);
+  if (step.action == ActionType::GoTo) return go_to(world, step.target);
+  if (step.action == ActionType::StandUp) stand_up(world);
   if (action.argument == ActionArgument::Tool) return treat(setting, world, step, passed);
-  if (!action.changes.empty()) change(setting, world, action, step.target);
+  for (const ActionChange& one : action.changes) {
+    if (!applies(setting, world, one.rule, step.target)) continue;
+    if (const Failure failure = change(setting, world, step, one); failure != Failure::None) return failure;
+  }
+  if (action.starts_tool) run_processes(setting, world, step.target, false);
   return Failure::None;
 }
 

@@ -31,8 +31,8 @@ Failure perform(const Setting& setting, World& world, const Step& step, std::vec
 /// The first need of the step's action that is not met; Failure::None when all are. Needs of kind Special are not
 /// asked.
 Failure first_unmet(const Setting& setting, const World& world, const Step& step);
-/// Whether a rule holds of a thing.
-bool applies(const Setting& setting, ActionRule rule, Id thing);
+/// Whether a rule holds of an action's target, with what the hand holds.
+bool applies(const Setting& setting, const World& world, ActionRule rule, Id target);
 
 /// Whether the agent can act on a thing from where it stands; Failure::None when it can.
 Failure out_of_reach(const Setting& setting, const World& world, Id thing);
@@ -54,10 +54,7 @@ std::optional<AtomicSteps> atomic_steps(const Setting& setting, const World& wor
 
 /// A composite action, with all checks of the atomic steps that it stands for.
 Failure treat_with(const Setting& setting, World& world, Id tool, Treatment treatment, std::vector<World>* passed);
-/// The actions of these names, by the thing they are done to, with what the hand holds.
+/// Cuts a thing with the knife in the hand.
 Failure slice(const Setting& setting, World& world, Id thing);
-Failure pour_to(const Setting& setting, World& world, Id target);
-Failure wipe(const Setting& setting, World& world, Id thing);
-Failure spread_to(const Setting& setting, World& world, Id thing);
 
 }  // namespace unietp::symbolic

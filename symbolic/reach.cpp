@@ -10,6 +10,11 @@ namespace {
 
 std::uint64_t bit(Predicate state) { return std::uint64_t{1} << static_cast<unsigned>(state); }
 
+/// Adds the state that a change brings about. What can never be in the state of `only_if` is in the other one already.
+void add(const ActionChange& change, std::uint64_t& states) {
+  if (!change.only_if || (states & bit(*change.only_if)) != 0) states |= bit(change.state);
+}
+
 bool needs_holding(const ActionInfo& action) {
   return std::any_of(action.needs.begin(), action.needs.end(),
                      [](const ActionNeed& need) { return need.kind == ActionNeed::Kind::InHand; });
@@ -65,11 +70,9 @@ void Reach::do_alone(Id id, Outlook& next) const {
   if (kind.pickupable && offered(ActionType::PickUp)) next.held = true;
   for (const auto list : {all_actions(), extension_actions()}) {
     for (const ActionInfo& action : list) {
-      if (action.changes.empty() || !offered(action.type) || !kind.allows(action.type)) continue;
+      if (!action.direct || !offered(action.type) || !kind.allows(action.type)) continue;
       if (needs_holding(action) && !next.held) continue;
-      for (const ActionChange& change : action.changes) {
-        if (!change.only_if || kind.has_group_of(*change.only_if)) next.states |= bit(change.state);
-      }
+      for (const ActionChange& change : action.changes) add(change, next.states);
     }
   }
 }
@@ -100,15 +103,16 @@ void Reach::do_with(Id tool, Id target, Outlook& next) const {
       if (reaction.treatment == Treatment::Washes) next.uncovered = true;
       continue;
     }
-    const bool by_hand = of(tool).held;
-    if (reaction.treatment == Treatment::Slices && by_hand && offered(ActionType::Slice) && reaction.piece)
-      next.states |= bit(Predicate::Sliced);
-    if (reaction.treatment == Treatment::Wipes && by_hand && offered(ActionType::Wipe)) {
-      next.uncovered = true;
-      if ((next.states & bit(Predicate::Dirty)) != 0) next.states |= bit(Predicate::Clean);
+    const auto by_hand = info(reaction.treatment).by_hand;
+    if (!by_hand || !offered(*by_hand) || !of(tool).held) continue;
+    for (const ActionChange& change : info(*by_hand).changes) {
+      if (change.state == Predicate::Covered) {
+        if (change.ends) next.uncovered = true;
+        if (!change.ends) next.coats.insert(reaction.symbol);
+      } else if (change.state != Predicate::Sliced || reaction.piece) {
+        add(change, next.states);
+      }
     }
-    if (reaction.treatment == Treatment::Dispenses && by_hand && offered(ActionType::SpreadTo))
-      next.coats.insert(reaction.symbol);
   }
   if (!offered(ActionType::PourTo)) return;
   if (kind.fillable && of(tool).held && !of(tool).fillings.empty()) {

@@ -20,12 +20,6 @@ std::uint8_t needs_of(const Effect& row) {
   return needs;
 }
 
-bool Kind::has_group_of(Predicate state) const {
-  return std::any_of(groups.begin(), groups.end(), [state](const StateGroup* group) {
-    return std::find(group->predicates.begin(), group->predicates.end(), state) != group->predicates.end();
-  });
-}
-
 Rules::Rules(const Knowledge& knowledge, const Capabilities& capabilities, const std::vector<std::string>& categories)
     : capabilities_(capabilities) {
   for (const auto& category : categories) add_kind(knowledge, category);

@@ -59,8 +59,6 @@ struct Kind {
   std::vector<const StateGroup*> groups;  // the state groups that its things have
   std::vector<std::string> colors, materials;
   bool allows(ActionType action) const { return allowed[static_cast<std::size_t>(action)]; }
-  /// Whether its things have the states of this one's group.
-  bool has_group_of(Predicate state) const;
 };
 
 /// The knowledge base reduced to some categories of one simulator, with numbers in place of names, for the symbolic

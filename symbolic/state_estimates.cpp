@@ -129,7 +129,7 @@ Estimate AtomEstimator::directly(Id id, ActionType action, int depth) const {
   Estimate need;
   bool also_in_hand = false;
   for (const ActionNeed& one : about.needs) {
-    if (!applies(setting_, one.rule, id)) continue;
+    if (!applies(setting_, world_, one.rule, id)) continue;
     const auto other = opposite_of(one.state);
     const bool own = one.state == aim || other == aim;  // that it is not so yet, which the caller knows
     if (one.kind == Kind::IsNot && !own && world_[id].has(one.state) && other)

@@ -1,7 +1,6 @@
 #include "symbolic/perform.h"
 
-// What tools and appliances do, and what is cut, poured, wiped and spread: simulation/effects.cpp and
-// simulation/contents.cpp without geometry.
+// What tools and appliances do, and what is cut: simulation/effects.cpp without geometry.
 namespace unietp::symbolic {
 namespace {
 
@@ -13,10 +12,6 @@ bool needs_met(const Setting& setting, const World& world, const Reaction& react
   if (asks(kInside) && !is_inside(world, thing, tool)) return false;
   if (asks(kOn) && !holds(setting, world, Predicate::On, thing, tool, kAnySymbol)) return false;
   return !asks(kUnderTap) || tap_runs || world[tool].has(Predicate::PowerOn);
-}
-
-const Reaction* by_hand(const Setting& setting, const World& world, Treatment treatment, Id thing) {
-  return setting.rules->reaction(setting.kind_number(world.held), treatment, setting.kind_number(thing));
 }
 
 std::optional<AtomicSteps> steps_with(const Setting& setting, const World& world, Id tool, Treatment treatment) {
@@ -93,7 +88,8 @@ std::optional<AtomicSteps> atomic_steps(const Setting& setting, const World& wor
 }
 
 Failure slice(const Setting& setting, World& world, Id thing) {
-  const Reaction* cut = by_hand(setting, world, Treatment::Slices, thing);
+  const Reaction* cut =
+      setting.rules->reaction(setting.kind_number(world.held), Treatment::Slices, setting.kind_number(thing));
   int made = 0;
   for (std::size_t i = 0; i < world.things.size() && made < cut->pieces; ++i) {
     const ObjectEntry& role = setting.objects.things[i];
@@ -107,39 +103,6 @@ Failure slice(const Setting& setting, World& world, Id thing) {
   }
   if (made == 0) return Failure::NotSliceable;
   world[thing].set(Predicate::Sliced);
-  return Failure::None;
-}
-
-Failure pour_to(const Setting& setting, World& world, Id target) {
-  Thing& vessel = world[world.held];
-  const bool drains =
-      setting.kind_of(target).drain || setting.rules->reaction(setting.kind_number(target), Treatment::Drains,
-                                                               setting.kind_number(world.held)) != nullptr;
-  if (!drains) {
-    if (!setting.kind_of(target).fillable) return Failure::NotFillable;
-    if (world[target].has(Predicate::Filled)) return Failure::AlreadyFull;
-    world[target].set(Predicate::Filled);
-    world[target].filling = vessel.filling;
-  }
-  vessel.set(Predicate::Empty);
-  vessel.filling = {};
-  return Failure::None;
-}
-
-Failure wipe(const Setting& setting, World& world, Id thing) {
-  // A dry cloth removes dirt; everything else needs a wet one.
-  const auto dust = setting.rules->symbol_named("dust");
-  if ((world[thing].coats.has_other_than(dust) || world[thing].has(Predicate::Dirty)) &&
-      world[world.held].has(Predicate::Dry))
-    return Failure::NotReady;
-  world[thing].coats.clear();
-  if (world[thing].has(Predicate::Dirty)) world[thing].set(Predicate::Clean);
-  return Failure::None;
-}
-
-Failure spread_to(const Setting& setting, World& world, Id thing) {
-  const Reaction* spread = by_hand(setting, world, Treatment::Dispenses, thing);
-  world[thing].coats.insert(spread->symbol);
   return Failure::None;
 }
 

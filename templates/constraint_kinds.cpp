@@ -1,5 +1,6 @@
 #include "templates/constraint_kinds.h"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <charconv>
@@ -98,6 +99,7 @@ constexpr auto kKinds = [] {
   }};
 }();
 
+/// In the order of ParameterWord.
 constexpr std::array<WordMeaning, 8> kPseudoAffordances = {{
     {"furniture", "a category that cannot be moved"},
     {"movable", "a category that can be moved"},
@@ -167,6 +169,26 @@ int capacity_of(const DomainConstraint& constraint) {
 std::string substance_of(const DomainConstraint& constraint) {
   if (info(constraint.type).meaning != ConstraintKind::Meaning::Effect || constraint.arguments.size() < 3) return "";
   return constraint.arguments[2];
+}
+
+std::optional<ParameterWord> parameter_word(std::string_view word) {
+  const auto* found = std::ranges::find(kPseudoAffordances, word, &WordMeaning::word);
+  if (found == kPseudoAffordances.end()) return std::nullopt;
+  return static_cast<ParameterWord>(found - kPseudoAffordances.begin());
+}
+
+bool asks_for(const Parameter& parameter, ParameterWord word) {
+  return std::ranges::any_of(parameter.affordances, [word](const auto& one) { return parameter_word(one) == word; });
+}
+
+bool is_value(const Parameter& parameter) {
+  if (parameter.affordances.size() != 1) return false;
+  const auto word = parameter_word(parameter.affordances.front());
+  return word == ParameterWord::Color || word == ParameterWord::Material || word == ParameterWord::Substance;
+}
+
+bool is_room(const Parameter& parameter) {
+  return parameter.affordances.size() == 1 && asks_for(parameter, ParameterWord::Room);
 }
 
 const std::vector<std::string>& pseudo_affordances() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -57,9 +58,26 @@ int capacity_of(const DomainConstraint& constraint);
 /// The substance that an effect constraint asks for, or the placeholder for one; "" when it gives none.
 std::string substance_of(const DomainConstraint& constraint);
 
-/// What a parameter may be asked to be besides an affordance of the AKB.
-/// `furniture`: stays where it is; `movable`: not furniture; `countable`: "two mugs", not "some bread"; `room`: a type
-/// of room; `color`, `material`, `substance`: a word for one; `any`: the constraints decide.
+/// What a parameter may be asked to be besides an affordance of the AKB. From Room on, the only word of a parameter.
+enum class ParameterWord : std::uint8_t {
+  Furniture,  // stays where it is
+  Movable,    // is not furniture
+  Countable,  // "two mugs", not "some bread"
+  Room,       // a type of room
+  Color,      // a word for one; likewise the next two
+  Material,
+  Substance,
+  Any,  // the constraints decide
+};
+/// nullopt for an affordance of the AKB.
+std::optional<ParameterWord> parameter_word(std::string_view word);
+/// Whether a parameter asks for this.
+bool asks_for(const Parameter& parameter, ParameterWord word);
+/// Whether it stands for a color, material or substance, not for a category.
+bool is_value(const Parameter& parameter);
+/// Whether it stands for a type of room.
+bool is_room(const Parameter& parameter);
+/// Their names, in the order of the enum.
 const std::vector<std::string>& pseudo_affordances();
 
 }  // namespace unietp

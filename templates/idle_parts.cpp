@@ -66,10 +66,10 @@ class IdleParts {
         error(parameter.pos, "duplicate '" + word + "' for placeholder '" + parameter.name + "'");
       }
     }
-    if (seen.contains("any") && seen.size() > 1) {
+    if (asks_for(parameter, ParameterWord::Any) && seen.size() > 1) {
       error(parameter.pos, "'any' must be the only word; write (" + parameter.name + " - any)");
     }
-    if (seen.contains("furniture") && seen.contains("movable")) {
+    if (asks_for(parameter, ParameterWord::Furniture) && asks_for(parameter, ParameterWord::Movable)) {
       error(parameter.pos, "no category is both 'furniture' and 'movable'");
     }
   }

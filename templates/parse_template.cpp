@@ -270,11 +270,12 @@ class TemplateReader {
       }
       parameter.affordances.push_back(word.text);
     }
-    for (const char* alone : {"room", "colour", "material", "substance"}) {
-      const auto& words = parameter.affordances;
-      if (words.size() < 2 || std::find(words.begin(), words.end(), alone) == words.end()) continue;
-      schema_error(parameter.pos, std::string("a ") + alone + " must be the only word; write (" + parameter.name +
-                                      " - " + alone + ")");
+    using enum ParameterWord;
+    for (const auto word : {Room, Color, Material, Substance}) {
+      if (parameter.affordances.size() < 2 || !asks_for(parameter, word)) continue;
+      const auto& alone = pseudo_affordances()[static_cast<std::size_t>(word)];
+      schema_error(parameter.pos,
+                   "a " + alone + " must be the only word; write (" + parameter.name + " - " + alone + ")");
     }
     source_.value.parameters.push_back(std::move(parameter));
   }

@@ -1,6 +1,7 @@
 #include "templates/phrasing.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <iterator>
 
@@ -9,11 +10,26 @@
 namespace unietp {
 namespace {
 
-std::string form_list() {
-  std::vector<std::string> names;
-  for (const auto& form : slot_forms()) names.emplace_back(form.name);
-  return join(names, ", ");
-}
+constexpr std::array kForms{
+    SlotFormInfo{SlotForm::Plural, "plural", "mugs"},
+    SlotFormInfo{SlotForm::Indefinite, "indefinite", "a mug"},
+    SlotFormInfo{SlotForm::Definite, "definite", "the mug"},
+    SlotFormInfo{SlotForm::Slice, "slice", "a slice of apple"},
+    SlotFormInfo{SlotForm::On, "on", "on the table"},
+    SlotFormInfo{SlotForm::Onto, "onto", "onto the table"},
+    SlotFormInfo{SlotForm::Off, "off", "off the table"},
+    SlotFormInfo{SlotForm::Inside, "inside", "inside the cabinet"},
+    SlotFormInfo{SlotForm::Into, "into", "into the cabinet"},
+    SlotFormInfo{SlotForm::OutOf, "out-of", "out of the cabinet"},
+    SlotFormInfo{SlotForm::StoredIn, "stored-in", "stored in the cabinet"},
+    SlotFormInfo{SlotForm::With, "with", "with the knife"},
+};
+static_assert([] {
+  for (std::size_t i = 0; i < kForms.size(); ++i) {
+    if (static_cast<std::size_t>(kForms[i].form) != i + 1) return false;
+  }
+  return kForms.back().form == SlotForm::With;
+}());
 
 Error malformed(std::size_t offset, std::string message) {
   return {Error::Kind::Parse, "", {1, static_cast<int>(offset) + 1}, std::move(message)};
@@ -35,13 +51,21 @@ std::string indefinite(const Names& words) {
   return (starts_with_vowel_letter(words.singular) ? "an " : "a ") + words.singular;
 }
 
-std::string worded(const std::string& form, const Names& words) {
-  if (form.empty()) return words.singular;
-  if (form == "plural") return words.plural;
-  if (form == "indefinite") return indefinite(words);
-  if (form == "definite") return "the " + words.singular;
-  if (form == "slice") return "a slice of " + words.singular;
-  return replace_all(form, "-", " ") + " the " + words.singular;  // the prepositions
+std::string worded(SlotForm form, const Names& words) {
+  switch (form) {
+    case SlotForm::Bare:
+      return words.singular;
+    case SlotForm::Plural:
+      return words.plural;
+    case SlotForm::Indefinite:
+      return indefinite(words);
+    case SlotForm::Definite:
+      return "the " + words.singular;
+    case SlotForm::Slice:
+      return "a slice of " + words.singular;
+    default:  // the prepositions
+      return replace_all(std::string(name_of(form)), "-", " ") + " the " + words.singular;
+  }
 }
 
 }  // namespace
@@ -52,22 +76,10 @@ bool is_placeholder_name(std::string_view text) {
                      [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; });
 }
 
-const std::vector<SlotForm>& slot_forms() {
-  static const std::vector<SlotForm> kForms = {
-      {"plural", "mugs"},
-      {"indefinite", "a mug"},
-      {"definite", "the mug"},
-      {"slice", "a slice of apple"},
-      {"on", "on the table"},
-      {"onto", "onto the table"},
-      {"off", "off the table"},
-      {"inside", "inside the cabinet"},
-      {"into", "into the cabinet"},
-      {"out-of", "out of the cabinet"},
-      {"stored-in", "stored in the cabinet"},
-      {"with", "with the knife"},
-  };
-  return kForms;
+std::span<const SlotFormInfo> slot_forms() { return kForms; }
+
+std::string_view name_of(SlotForm form) {
+  return form == SlotForm::Bare ? std::string_view() : kForms[static_cast<std::size_t>(form) - 1].name;
 }
 
 SlotReading read_slots(std::string_view text) {
@@ -83,19 +95,18 @@ SlotReading read_slots(std::string_view text) {
     }
     const auto inner = text.substr(at + 1, close - at - 1);
     const auto colon = inner.find(':');
-    Slot slot{std::string(inner.substr(0, colon)), "", at, close - at + 1};
-    if (colon != std::string_view::npos) slot.form = inner.substr(colon + 1);
-    const auto& forms = slot_forms();
-    const bool known_form =
-        std::any_of(forms.begin(), forms.end(), [&](const SlotForm& f) { return f.name == slot.form; });
+    Slot slot{std::string(inner.substr(0, colon)), SlotForm::Bare, at, close - at + 1};
+    const std::string named(colon == std::string_view::npos ? "" : inner.substr(colon + 1));
+    const auto* form = std::ranges::find(kForms, named, &SlotFormInfo::name);
+    if (form != kForms.end()) slot.form = form->form;
     if (!is_placeholder_name(slot.placeholder)) {
       reading.errors.push_back(malformed(
           at, "malformed slot '{" + std::string(inner) + "}'; a slot is {A} or {A:form} with a declared placeholder"));
-    } else if (colon != std::string_view::npos && !known_form) {
+    } else if (colon != std::string_view::npos && form == kForms.end()) {
       std::vector<std::string> names;
-      for (const auto& form : forms) names.emplace_back(form.name);
-      const auto near = nearest_name(slot.form, names);
-      reading.errors.push_back(malformed(at, "unknown form '" + slot.form + "' in a slot; accepted: " + form_list() +
+      for (const auto& one : kForms) names.emplace_back(one.name);
+      const auto near = nearest_name(named, names);
+      reading.errors.push_back(malformed(at, "unknown form '" + named + "' in a slot; accepted: " + join(names, ", ") +
                                                  (near.empty() ? "" : "; did you mean '" + near + "'?")));
     } else {
       reading.slots.push_back(std::move(slot));

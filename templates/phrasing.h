@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -10,19 +12,39 @@
 
 namespace unietp {
 
+/// The form of the words in a slot.
+enum class SlotForm : std::uint8_t {
+  Bare,
+  Plural,
+  Indefinite,
+  Definite,
+  Slice,
+  On,
+  Onto,
+  Off,
+  Inside,
+  Into,
+  OutOf,
+  StoredIn,
+  With,
+};
+std::string_view name_of(SlotForm form);  // "out-of"; "" for Bare
+
 /// A slot of a reference phrasing: `{A}` or `{A:form}`.
 struct Slot {
   std::string placeholder;  // "A"
-  std::string form;         // "" for `{A}`
-  std::size_t offset = 0;   // of its `{` in the text, in bytes
-  std::size_t length = 0;   // up to and including `}`
+  SlotForm form = SlotForm::Bare;
+  std::size_t offset = 0;  // of its `{` in the text, in bytes
+  std::size_t length = 0;  // up to and including `}`
 };
 
-/// The forms a slot may ask for, with an example each: "plural" -> "mugs".
-struct SlotForm {
+/// A form that a slot may name, with an example: "plural" -> "mugs".
+struct SlotFormInfo {
+  SlotForm form;
   std::string_view name, example;
 };
-const std::vector<SlotForm>& slot_forms();
+/// All but Bare, in the order of the enum.
+std::span<const SlotFormInfo> slot_forms();
 bool is_placeholder_name(std::string_view text);  // "A", "Sink_2"
 
 /// The slots of a phrasing, and everything that is malformed in it (pos.column is the offset in the text, from 1).

@@ -56,7 +56,7 @@ constexpr std::array<PurposeKind, 13> kPurposes = {{
     {"leisure", "reading, listening, watching, playing", kLeisure, true},
     {"preparing", "something is made ready for use", kPreparing, true},
     {"saving", "nothing runs or stands open for no reason", kSaving},
-    {"safety", "a danger is removed", kSafety},
+    {"safety", "a danger is removed", kSafety, false, true},
 }};
 
 }  // namespace

@@ -20,6 +20,7 @@ struct PurposeKind {
   std::string_view says;               // one line for people
   std::span<const PurposeSign> signs;  // a goal for this purpose asks for at least one of them
   bool meanwhile = false;              // what happens on the way may be all that is wanted: a room is aired
+  bool of_dangers = false;             // something may be at first where safety forbids it
 };
 /// All purposes, in the order in which help lists them.
 std::span<const PurposeKind> purpose_kinds();

@@ -183,11 +183,8 @@ class Checker {
   }
 
   bool is_value_placeholder(const std::string& name) const {
-    return std::any_of(value_.parameters.begin(), value_.parameters.end(), [&](const Parameter& parameter) {
-      if (parameter.name != name || parameter.affordances.size() != 1) return false;
-      const auto& word = parameter.affordances.front();
-      return word == "colour" || word == "material" || word == "substance";
-    });
+    return std::any_of(value_.parameters.begin(), value_.parameters.end(),
+                       [&](const Parameter& parameter) { return parameter.name == name && is_value(parameter); });
   }
 
   void use_values(const Sexpr& expression, std::set<std::string>& used) {

@@ -96,8 +96,7 @@ class WholeSet {
       reviews_.add(*task.record);
     }
     if (recount_.all_read()) database_.add(task, facts);
-    if (task.record) homes_.insert(task.record->layout);
-    if (task.record) placed_.push_back({place, task.record->slot, task.record->layout});
+    if (task.record) placed_.push_back({place, task.record->slot, &*homes_.insert(task.record->layout).first});
     repeats_.add(place, facts);
     for (std::size_t i = 0; i < leaks_.size(); ++i) {
       if (leaks_[i]) leaks_[i]->add(task, facts, nearest.empty() ? std::nullopt : nearest[i]);
@@ -154,7 +153,7 @@ class WholeSet {
     const auto candidates = static_cast<std::int64_t>(placed_.size()) + rejections;
     if (!options_.home_in_run || manifest_.run.count > candidates) return problems;
     for (const Placed& task : placed_) {
-      auto fault = options_.home_in_run(task.slot, task.home, manifest_);
+      auto fault = options_.home_in_run(task.slot, *task.home, manifest_);
       if (fault.empty()) continue;
       auto problem = problem_in(ProblemKind::HomeFile, kTasksFile, std::move(fault));
       problem.task = names.name(task.place);
@@ -171,7 +170,7 @@ class WholeSet {
   struct Placed {
     std::size_t place = 0;
     int slot = 0;
-    std::string home;
+    const std::string* home = nullptr;  // of homes_
   };
   std::vector<Placed> placed_;
   KeyList candidate_keys_;

@@ -81,7 +81,7 @@ TEST(Actions, EveryDirectActionIsFoundByItsStateAndNeedsOneAffordance) {
   std::set<Predicate> states;
   for (const auto list : {all_actions(), extension_actions()}) {
     for (const ActionInfo& action : list) {
-      if (action.changes.empty()) continue;
+      if (!action.direct) continue;
       const Predicate state = action.changes.front().state;
       EXPECT_TRUE(states.insert(state).second) << action.name << ": another action is for this state";
       EXPECT_EQ(direct_action(state), action.type) << action.name;
@@ -100,7 +100,7 @@ TEST(Actions, NeedsWithARuleOrAStateOfAnotherGroupCanBeMetByAnotherAction) {
   for (const auto list : {all_actions(), extension_actions()}) {
     for (const ActionInfo& action : list) {
       for (const ActionNeed& need : action.needs) {
-        if (need.kind != ActionNeed::Kind::IsNot || need.rule == ActionRule::Always) continue;
+        if (need.kind != ActionNeed::Kind::IsNot || need.rule == ActionRule::Always || !action.direct) continue;
         const auto other = opposite_of(need.state);
         ASSERT_TRUE(other) << action.name;
         EXPECT_TRUE(direct_action(*other)) << action.name << " cannot be made ready";
