@@ -13,7 +13,9 @@ void add_llm_options(CommandParser& command, LlmChoice& choice, bool required) {
   command.add_option("--llm-model", choice.model, "Model, by the server's name for it; it is recorded as the source")
       ->type_name("NAME")
       ->required(required);
-  command.add_option("--at-once", choice.ask.at_once, "Concurrent requests")->within(1, limits::kRequests)->shows_default();
+  command.add_option("--at-once", choice.ask.at_once, "Concurrent requests")
+      ->within(1, limits::kRequests)
+      ->shows_default();
   command.add_option("--cache", choice.cache, "File of cached answers (default: in the user's cache folder)")->output();
   command.add_option("--llm-timeout", choice.ask.attempt_s, "Seconds for one attempt")
       ->within(limits::kLeastTimeout_s, limits::kTimeout_s)

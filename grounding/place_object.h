@@ -25,10 +25,11 @@ struct FoundPlace {
 };
 
 /// A pose at rest for `node` on or inside a receptacle of the workspace: on one of its surfaces in a row with what is
-/// there of its category, else drawn, inside along the receptacle's sides; free by FCL with a gap, let down in physics until it rests (what stands flat on something level that never moves is at rest where it
-/// is put, and is not), and kept only if it moved little, stands in the relation asked and in no
-/// `on` or `inside` that the knowledge lacks; without settling, drawn and free only. `index` is the node's own when it
-/// is in the workspace already, else one past the last. The workspace is unchanged afterwards. Deterministic in rng.
+/// there of its category, else drawn, inside along the receptacle's sides; free by FCL with a gap, let down in physics
+/// until it rests (what stands flat on something level that never moves is at rest where it is put, and is not), and
+/// kept only if it moved little, stands in the relation asked and in no `on` or `inside` that the knowledge lacks;
+/// without settling, drawn and free only. `index` is the node's own when it is in the workspace already, else one past
+/// the last. The workspace is unchanged afterwards. Deterministic in rng.
 FoundPlace find_place(Workspace& workspace, const Node& node, std::size_t index, Predicate relation,
                       std::size_t receptacle, const PlacementOptions& options, Rng rng);
 

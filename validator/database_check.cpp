@@ -145,8 +145,8 @@ std::vector<TextRow> rows_of_bindings(const TaskRecord& task) {
   return rows;
 }
 
-/// What the traits of a task must be. Whether a bound category counts as a receptacle is up to its template; one that does
-/// has no use.
+/// What the traits of a task must be. Whether a bound category counts as a receptacle is up to its template; one that
+/// does has no use.
 class TraitRules {
  public:
   TraitRules(const TaskRecord& task, const TaskFacts& facts) : facts_(facts) {
