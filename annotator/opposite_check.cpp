@@ -160,10 +160,16 @@ class Opposites {
     for (std::size_t i = 1; i < words_.size(); ++i) {
       const bool off = words_[i].text == "off" && !is_switched(i) && !ends_clause(words_, i + 1) &&
                        !is_among(words_[i - 1].text, "start. starting.");
-      const bool out = words_[i].text == "out" && word(i + 1) == "of" && words_[i - 1].text != "made";
+      const bool out = words_[i].text == "out" && word(i + 1) == "of" && words_[i - 1].text != "made" && !is_for_use(i);
       const bool from = words_[i].text == "from" && is_taken(i) && is_among(word(i + 1), "the. a. an. your. my. that.");
       if (off || out || from) return exceeds("'" + words_[i].text + "'");
     }
+  }
+  /// "Something to drink out of", "to eat soup out of": no more than three words after "to".
+  bool is_for_use(std::size_t at) const {
+    for (std::size_t back = 1; back <= 3 && back < at; ++back)
+      if (is_among(words_[at - back].text, "drink. eat.") && words_[at - back - 1].text == "to") return true;
+    return false;
   }
   /// Whether a verb of taking precedes in the same clause, with a list of things in between.
   bool is_taken(std::size_t at) const {

@@ -10,10 +10,19 @@ namespace {
 Result<Instruction> text_from(const WordedTask& task, const Scene& start, const Resources& resources,
                               const GrammarWording& wording, const Rng& rng) {
   const Backend& backend = resources.backend(task.specification.simulator);
-  return write_instruction(
-      task.specification, backend.knowledge, backend.nouns_in(wording.english),
-      {wording.phrasings, categories_in(start), &start, phrasings_of_template(resources, task.record.template_name)},
-      rng);
+  WritingOptions options{wording.phrasings,
+                         categories_in(start),
+                         &start,
+                         phrasings_of_template(resources, task.record.template_name),
+                         true,
+                         true};
+  const auto write = [&] {
+    return write_instruction(task.specification, backend.knowledge, backend.nouns_in(wording.english), options, rng);
+  };
+  auto text = write();
+  if (text) return text;
+  options.tells_apart = false;  // a data set of people who asked for less, or of an earlier version
+  return write();
 }
 
 }  // namespace

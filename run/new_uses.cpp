@@ -32,6 +32,7 @@ std::vector<Trait> uses_of(const Template& source, const Binding& binding, std::
     Trait use{Dimension::Use, use_of(binding[i].second, *style, knowledge)};
     if (!use.value.empty() && std::find(uses.begin(), uses.end(), use) == uses.end()) uses.push_back(std::move(use));
   }
+  std::sort(uses.begin(), uses.end(), [](const Trait& one, const Trait& other) { return one.value < other.value; });
   return uses;
 }
 

@@ -12,7 +12,7 @@
 namespace unietp {
 
 /// Of a text in a style that calls things by what they are for ("something to drink from"): the narrowest kind of each
-/// bound thing that has such words, as traits of `Dimension::Use`. None for other styles.
+/// bound thing that has such words, as traits of `Dimension::Use`, sorted. None for other styles.
 std::vector<Trait> uses_of(const Template& source, const Binding& binding, std::optional<Style> style,
                            const Knowledge& knowledge);
 
