@@ -50,7 +50,7 @@ struct OwnPose {
 ToldFloorPlan floor_plan_of(const Scene& start, const ModeRules& rules);
 OwnPose own_pose(const Agent& agent);
 
-/// A paragraph: "Floor plan, in meters. Rooms by corners: …". "" when it shows nothing.
+/// A line each, as "Doorways by their ends: …", for rooms, doorways and furniture; "" when it shows nothing.
 std::string floor_plan_text(const ToldFloorPlan& plan);
 /// "You stand at (1.5, 2.3), facing 90 degrees, looking 15 degrees down."
 std::string pose_text(const OwnPose& pose);

@@ -10,12 +10,11 @@ namespace {
 Result<Instruction> text_from(const WordedTask& task, const Scene& start, const Resources& resources,
                               const GrammarWording& wording, const Rng& rng) {
   const Backend& backend = resources.backend(task.specification.simulator);
-  WritingOptions options{wording.phrasings,
-                         categories_in(start),
-                         &start,
-                         phrasings_of_template(resources, task.record.template_name),
-                         true,
-                         true};
+  WritingOptions options{.phrasings = wording.phrasings,
+                         .around = categories_in(start),
+                         .home = &start,
+                         .phrasings_of_template = phrasings_of_template(resources, task.record.template_name),
+                         .tells_apart = true};
   const auto write = [&] {
     return write_instruction(task.specification, backend.knowledge, backend.nouns_in(wording.english), options, rng);
   };

@@ -52,8 +52,11 @@ Result<Remade> TaskRemaker::make(const RunConfiguration& configuration, const Ta
     return Error{Error::Kind::Unsatisfiable, task.id, {}, why->detail};
   auto& episode = std::get<Grounded>(grounded).episode;
   auto instruction = write_instruction(*specification, backend.knowledge, backend.nouns_in(configuration.english),
-                                       {configuration.phrasings, categories_in(episode.start), &episode.start,
-                                        phrasings_of_template(resources_, task.template_name), true, true},
+                                       {.phrasings = configuration.phrasings,
+                                        .around = categories_in(episode.start),
+                                        .home = &episode.start,
+                                        .phrasings_of_template = phrasings_of_template(resources_, task.template_name),
+                                        .tells_apart = true},
                                        wording_stream(task.run, task.slot, task.attempt));
   if (!instruction) return instruction.error();
   if (!is_known_template(resources_, task.template_name)) instruction->text.clear();
