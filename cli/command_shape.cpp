@@ -49,14 +49,14 @@ std::vector<std::string> state_names() {
   return names;
 }
 
-/// Portraits of things of a family: of the categories that it shows, and each in several variants.
+/// Portraits of things of a family: of the categories that it shows in turn, each picture of another variant.
 std::vector<Picture> portraits_of(const ShapeFamily& family, const std::vector<Backend>& backends, std::size_t most,
                                   int pixels, const std::optional<State>& state = std::nullopt) {
   std::vector<Picture> pictures;
   const auto shown = shown_by(family, backends_of(backends));
   for (std::uint32_t seed = 0; pictures.size() < most && !shown.empty(); ++seed) {
     const ShownCategory& one = shown[seed % shown.size()];
-    Node node = object_of(*one.knowledge, *one.category, seed / static_cast<std::uint32_t>(shown.size()));
+    Node node = object_of(*one.knowledge, *one.category, seed);
     if (state) node.states.set(*state);
     if (node.states.has(Predicate::Open)) node.opening = 1;
     Profile profile;
