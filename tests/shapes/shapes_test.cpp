@@ -1,5 +1,7 @@
 // The language of shapes, what is built of it, and which category has which.
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -258,6 +260,30 @@ TEST(BuiltInShapes, AreSoundAndTheFilesOfTheData) {
     trees.insert(tree);
   }
   EXPECT_GE(trees.size(), 250U);  // different trees of parts
+}
+
+TEST(BuiltInShapes, DifferByEachOfTheirParameters) {
+  StateSet open;
+  open.set({Predicate::Open, ""});
+  const auto with = [&](ShapeFamily family, std::size_t parameter, double value) {
+    family.parameters[parameter].low = family.parameters[parameter].high = value;
+    auto pieces = pieces_of(family, {{0.5, 0.4, 0.6}, 0.004, 1, {}});
+    const auto opened = pieces_of(family, {{0.5, 0.4, 0.6}, 0.004, 1, open});
+    pieces.insert(pieces.end(), opened.begin(), opened.end());
+    return pieces;
+  };
+  const auto differ = [](const Piece& a, const Piece& b) {
+    return a.center != b.center || a.axes != b.axes || a.low != b.low || a.high != b.high || a.wall != b.wall ||
+           a.floor != b.floor;
+  };
+  for (const ShapeFamily& family : built_in_shapes().families()) {
+    for (std::size_t i = 0; i < family.parameters.size(); ++i) {
+      const auto& parameter = family.parameters[i];
+      const auto least = with(family, i, parameter.low), most = with(family, i, parameter.high);
+      EXPECT_FALSE(std::equal(least.begin(), least.end(), most.begin(), most.end(), std::not_fn(differ)))
+          << family.name << " has the same pieces whatever " << parameter.name << " is";
+    }
+  }
 }
 
 }  // namespace
