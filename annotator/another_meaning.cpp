@@ -162,13 +162,30 @@ class Listener {
                        [&](const NounTable::Name& synonym) { return head(synonym.singular) == head(name); });
   }
 
-  /// Of what is named by its use: whether something else there would do as well.
+  /// Of what is named by its use: whether something else there would do as well. Of an occasion, the table may have a
+  /// row for what is needed and another for the sentence.
   bool hears_other_use() const {
     return std::any_of(nouns_.phrases().begin(), nouns_.phrases().end(), [&](const auto& entry) {
       const NounTable::Phrase& phrase = entry.second;
-      const std::string& said = phrase.need.empty() ? phrase.text : phrase.need;
-      return text_.find(said) != std::string::npos && has_one_of(nouns_.everyday()->look_alikes(said));
+      if (!says_text(phrase.need.empty() ? phrase.text : phrase.need)) return false;
+      if (has_one_of(nouns_.everyday()->look_alikes(phrase.need.empty() ? phrase.text : phrase.need))) return true;
+      if (!says_text(phrase.text)) return false;
+      return has_one_of(nouns_.everyday()->look_alikes(phrase.text)) || has_other_that_is_meant(phrase);
     });
+  }
+
+  bool says_text(const std::string& words) const { return text_.find(words) != std::string::npos; }
+
+  /// Whether the home has something that the phrase means and the goal does not accept, since it cannot be done with
+  /// it: something to heat water in is a kettle, too, where only the pot can be washed.
+  bool has_other_that_is_meant(const NounTable::Phrase& phrase) const {
+    std::string text = phrase.need.empty() ? phrase.text : phrase.need + ": " + phrase.text;
+    if (phrase.use == AliasKind::Request) text = std::string(info(phrase.state).name) + " " + text;
+    const auto is_meant = [&](const std::string& category) {
+      const auto aliases = knowledge_.aliases_of(category, phrase.use);
+      return std::any_of(aliases.begin(), aliases.end(), [&](const Alias* alias) { return alias->text == text; });
+    };
+    return std::any_of(own_.begin(), own_.end(), is_meant) && std::any_of(others_.begin(), others_.end(), is_meant);
   }
 
   /// "The bedroom side table", where the next one stands on the other side of the bedroom's door.

@@ -12,6 +12,10 @@ std::string with_room_tables(std::string text) {
   return replace_all(std::move(text), "dining room dining table", "dining room table");
 }
 
+std::string with_zips(std::string text) {
+  return replace_all(std::move(text), "closed backpack", "zipped-up backpack");
+}
+
 std::string with_tops(std::string text, const NounTable& nouns) {
   constexpr std::array kHeads{"cabinet", "cabinets", "cupboard", "cupboards", "wardrobe", "wardrobes"};
   const std::vector<Token> tokens = tokens_of(text);

@@ -16,4 +16,7 @@ std::string with_tops(std::string text, const NounTable& nouns);
 /// ones.
 std::string with_one_of(std::string text, const NounTable& nouns);
 
+/// "The zipped-up backpack": nobody calls one closed.
+std::string with_zips(std::string text);
+
 }  // namespace unietp

@@ -352,7 +352,7 @@ class Writer {
     // "Put it where we wash our hands and close it."
     if (plain && text.find(" it", where) != text.npos) return std::nullopt;
     if (!sounds_right(text) || !ends_with_needs(text, nouns_)) return std::nullopt;
-    if (is_everyday()) text = with_one_of(with_room_tables(with_tops(std::move(text), nouns_)), nouns_);
+    if (is_everyday()) text = with_zips(with_one_of(with_room_tables(with_tops(std::move(text), nouns_)), nouns_));
     if (is_everyday() && text.starts_with("Choose the ")) return std::nullopt;
     // Nobody closes "the place where we wash our hands".
     if (text.find(" the place where ") != text.npos || text.find(" the spot where ") != text.npos) return std::nullopt;

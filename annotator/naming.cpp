@@ -62,11 +62,9 @@ std::optional<std::string> Naming::name_of(const Domain::Member& member, bool pl
   countable = name.countable || member.slice;
   if (member.slice) {
     // Nobody speaks of a slice of these.
-    for (const char* const several : {"slice of ", "bunch of ", "head of ", "piece of "})
+    for (const char* const several : {"slice of ", "bunch of ", "head of ", "piece of ", "ear of ", "sheet of "})
       if (name.singular.starts_with(several)) return std::nullopt;
-    constexpr std::string_view kStalk = "stalk of ", kLoaf = " loaf";  // "a slice of celery", "a slice of sourdough"
-    std::string whole = name.singular.starts_with(kStalk) ? name.singular.substr(kStalk.size()) : name.singular;
-    if (whole.ends_with(kLoaf)) whole.resize(whole.size() - kLoaf.size());
+    const std::string whole = as_sliced(name.singular);
     const std::string cut = whole == "lettuce" ? "piece" : "slice";
     const std::string fresh = may_mean_what_is_there(cut + " of " + whole) ? "freshly cut " : "";
     return fresh + cut + (plural ? "s of " : " of ") + whole;

@@ -27,7 +27,7 @@ std::string spaced(const std::string& name) {
   return lower(text);
 }
 
-constexpr std::string_view kHalf = "half ", kStalk = "stalk of ";
+constexpr std::string_view kHalf = "half ";
 /// What people leave out where there is one: "the glasses", "the keys".
 constexpr std::array<std::string_view, 4> kSets{"pair of ", "set of ", "bunch of ", "deck of "};
 constexpr double kSaid = 0.8;  // the confidence of names that people say; a dictionary's are only read
@@ -102,6 +102,14 @@ std::string with_article(const std::string& noun) {
     if (starts(silent)) vowel = true;
   if (starts("half ")) return "half " + with_article(noun.substr(5));
   return (vowel ? "an " : "a ") + noun;
+}
+
+std::string as_sliced(std::string_view name) {
+  constexpr std::string_view kStalk = "stalk of ";
+  if (name.starts_with(kStalk)) return std::string(name.substr(kStalk.size()));
+  for (const std::string_view part : {" stalk", " bulb", " clove", " spear", " loaf"})
+    if (name.ends_with(part)) return std::string(name.substr(0, name.size() - part.size()));
+  return std::string(name);
 }
 
 std::string named_again(std::string_view use) {
@@ -182,7 +190,8 @@ void NounTable::add_category(Names& made, const Category& category, std::set<std
       add(made.nouns, text, noun, !plural, plural, false, 1);
   if (const std::string things(things_of_set(said)); !things.empty())
     add(made.nouns, things, noun, false, false, true, 2);
-  if (said.starts_with(kStalk)) add(made.nouns, said.substr(kStalk.size()), noun, false, false, true, 2);
+  if (const std::string plant = as_sliced(said); plant != said && !taken.contains(plant) && !said.ends_with(" loaf"))
+    add(made.nouns, plant, noun, false, false, true, 2);
   if (said.starts_with(kHalf)) {
     if (said.find(" of ") == std::string::npos)
       made.names[category.name].plural = said.substr(kHalf.size()) + " halves";

@@ -26,6 +26,10 @@ std::vector<Token> tokens_of(std::string_view text);
 /// Whether the words of `name` come in the text one after another.
 bool says(const std::vector<Token>& text, std::string_view name);
 
+/// What slices of a thing are slices of, by its name: "celery" of "celery stalk", "sourdough" of "sourdough loaf"; the
+/// name itself of most.
+std::string as_sliced(std::string_view name);
+
 /// How an object named by its function is named again, after "that": "thing to drink from" for "something to drink
 /// from";
 /// "" for what has no singular, as "leaves for a salad".

@@ -19,7 +19,7 @@ struct ReadingRow {
 
 constexpr std::array<ReadingRow, kPredicateCount> kReadingRows{{
     {P::Open, "open", "", "", "open up|open", "open", "open. opened. opening."},
-    {P::Closed, "closed|shut", "", "", "close|shut", "clos shut lid.", "close. closed. closing. shut."},
+    {P::Closed, "closed|shut|zipped-up", "", "", "close|shut", "clos shut zip lid.", "close. closed. closing. shut."},
     {P::PowerOn, "switched on|turned on", "", "", "turn on|switch on",
      "on. power switch turn activ start running lit light", ""},
     {P::PowerOff, "switched off|turned off", "", "", "turn off|switch off", "off. power switch turn deactiv stop out.",

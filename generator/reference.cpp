@@ -35,14 +35,34 @@ bool is_cooked_first(const Category& category) {
   });
 }
 
-/// Whether one sees, and says, that such a thing is on: not of a soap dispenser or a sink.
-bool is_seen_running(const Category& category) {
+/// Whether one sees, and says, that such a thing is on: not of a soap dispenser or a sink, nor of what may be shut and
+/// is carried about: a laptop that is on looks like any other when all are shut.
+bool is_seen_running(const Category& category, const Knowledge& knowledge) {
+  if (category.movable && knowledge.has(category.name, "openable")) return false;
   constexpr std::array<std::string_view, 12> kRuns{
       "electronics", "kitchen_machine", "television", "room_lamp",      "room_machine", "oven",
       "stove",       "microwave",       "toaster",    "coffee_machine", "dishwasher",   "washer"};
   return std::any_of(category.kinds.begin(), category.kinds.end(), [&](const std::string& kind) {
     return std::find(kRuns.begin(), kRuns.end(), kind) != kRuns.end();
   });
+}
+
+/// Whether the goal puts something on what a variable stands for.
+bool is_set_down_on(const Formula& goal, const std::string& variable) {
+  const bool here = goal.op == Formula::Op::Atom && goal.predicate == Predicate::On && goal.terms.size() == 2 &&
+                    goal.terms[1].name == variable;
+  return here || std::any_of(goal.children.begin(), goal.children.end(),
+                             [&](const Formula& child) { return is_set_down_on(child, variable); });
+}
+
+/// Whether people tell a thing from others by its being open or closed. A case, a pot or a kettle is closed at
+/// a glance or not at all; and furniture that something is set down on may be either.
+bool is_told_by_opening(const Category& category, const GoalVariable& variable, const Specification& plain) {
+  constexpr std::array<std::string_view, 4> kNot{"instrument", "pot", "kettle", "book"};
+  const bool told = std::none_of(category.kinds.begin(), category.kinds.end(), [&](const std::string& kind) {
+    return std::find(kNot.begin(), kNot.end(), kind) != kNot.end();
+  });
+  return told && !(is_set_down_on(plain.goal, variable.variable) && !category.movable);
 }
 
 std::vector<Reference> by_state(const GoalVariable& variable, const Specification& plain, const Knowledge& knowledge) {
@@ -53,7 +73,10 @@ std::vector<Reference> by_state(const GoalVariable& variable, const Specificatio
     for (const PredicateInfo& state : all_predicates()) {
       if (!state.telling || !in_group(group, state.predicate) || !shows(plain.simulator, state.predicate)) continue;
       if (state.predicate == Predicate::PowerOn && category != nullptr && !category->kinds.empty() &&
-          !is_seen_running(*category))
+          !is_seen_running(*category, knowledge))
+        continue;
+      if ((state.predicate == Predicate::Open || state.predicate == Predicate::Closed) && category != nullptr &&
+          !is_told_by_opening(*category, variable, plain))
         continue;
       // "The tomato in the fridge", not "the cold tomato".
       if (state.predicate == Predicate::Hot || state.predicate == Predicate::Cool) continue;

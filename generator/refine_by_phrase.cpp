@@ -81,6 +81,17 @@ bool is_put_away(const GoalVariable& variable, const Specification& plain, const
   });
 }
 
+/// Whether a thing is put on what things are kept on, such as a shelf.
+bool is_kept_there(const GoalVariable& variable, const Specification& plain, const Knowledge& knowledge,
+                   const PlaceUses* uses) {
+  const auto asked = predicates_of(plain.goal, variable.variable);
+  return std::find(asked.begin(), asked.end(), Predicate::On) != asked.end() &&
+         std::any_of(plain.binding.begin(), plain.binding.end(), [&](const auto& pair) {
+           const auto* other = pair.second == variable.category ? nullptr : knowledge.find(pair.second);
+           return other != nullptr && uses != nullptr && uses->has(other->kinds, PlaceUse::PutAway);
+         });
+}
+
 /// Whether a thing is got ready, switched on or brought: who says what they are up to does not want what they need for
 /// it filled, emptied, heated or cut, nor washed and held on to.
 bool is_got_ready(const GoalVariable& variable, const Specification& plain) {
@@ -122,7 +133,9 @@ bool may_use_phrase(Style style, const GoalVariable& variable, const Specificati
                     const PlaceUses* uses) {
   const auto asked = predicates_of(plain.goal, variable.variable);
   const bool held = std::find(asked.begin(), asked.end(), Predicate::Held) != asked.end();
-  if (style == Style::Context) return is_got_ready(variable, plain) && !is_put_away(variable, plain, knowledge, uses);
+  if (style == Style::Context)
+    return is_got_ready(variable, plain) && !is_put_away(variable, plain, knowledge, uses) &&
+           !is_kept_there(variable, plain, knowledge, uses);
   if (style == Style::Hypernym && held) return false;  // "pick up a piece of clothing"
   const bool any_kind = style == Style::Hypernym || style == Style::Function;
   return !any_kind || may_be_any_kind(variable, plain, knowledge, uses);

@@ -69,6 +69,22 @@ class FactsOfRooms {
     return levels > 1 &&
            (facts_.any_related(Predicate::On, one, carried) || facts_.any_related(Predicate::Inside, one, carried));
   }
+  /// Whether what it is on or in says which of the things it is, as "the fork in the sink" does: the room has one such
+  /// place, and no other of the things is at one.
+  bool is_told_by_place(EntityIndex one, const Entities& others, const Trace& trace) const {
+    const auto tells = [&](EntityIndex place) {
+      const auto is_such = [&](EntityIndex other) {
+        return trace.entities[other].category == trace.entities[place].category;
+      };
+      for (EntityIndex at; at.index() < trace.entities.size(); ++at)
+        if (at != place && is_such(at) && share_a_room(at, place)) return false;
+      return std::none_of(others.begin(), others.end(), [&](EntityIndex other) {
+        return facts_.any_related(Predicate::On, other, is_such) ||
+               facts_.any_related(Predicate::Inside, other, is_such);
+      });
+    };
+    return facts_.any_related(Predicate::On, one, tells) || facts_.any_related(Predicate::Inside, one, tells);
+  }
   /// Whether it is on, in or under something; of `next_to`, beside something.
   bool has_such_a_place(EntityIndex one, Predicate relation) const {
     using enum Predicate;
@@ -81,8 +97,9 @@ class FactsOfRooms {
 };
 
 /// What is odd about calling the things `referents` the ones nearest to a landmark, `others` being those that are not.
-std::optional<std::string> odd_nearness(const Entities& referents, Entities others, const Entities& landmarks,
-                                        const FactsOfRooms& home) {
+std::optional<std::string> odd_nearness(const Entities& referents, const Entities& all_others,
+                                        const Entities& landmarks, const FactsOfRooms& home, const Trace& trace) {
+  Entities others = all_others;
   std::erase_if(others, [&](EntityIndex one) { return home.is_shut_away(one); });
   for (const EntityIndex one : referents) {
     if (home.is_shut_away(one)) return "it is shut away";
@@ -93,6 +110,7 @@ std::optional<std::string> odd_nearness(const Entities& referents, Entities othe
     if (!home.in_room_of_any(one, others)) return "no other one is seen in the room";
     const auto is_beside = [&](EntityIndex other) { return home.lie_side_by_side(one, other); };
     if (std::all_of(others.begin(), others.end(), is_beside)) return "they lie side by side";
+    if (home.is_told_by_place(one, all_others, trace)) return "what it is on or in says which it is";
   }
   return std::nullopt;
 }
@@ -132,7 +150,7 @@ std::optional<std::string> odd_test(const Formula& test, const std::string& vari
     const bool all_on_one = landmarks.size() > 1 && std::any_of(landmarks.begin(), landmarks.end(), has_all);
     return all_on_one && !related->denied ? std::optional<std::string>("all are on or in one of those") : std::nullopt;
   }
-  if (related->relation == Predicate::Nearest) return odd_nearness(referents, others, landmarks, home);
+  if (related->relation == Predicate::Nearest) return odd_nearness(referents, others, landmarks, home, trace);
   if (landmarks.size() > 1) return "there are several of those";
   if (related->denied) return odd_among_others(referents, others, home);
   if (related->relation == Predicate::NextTo && std::none_of(referents.begin(), referents.end(), [&](EntityIndex one) {

@@ -80,6 +80,33 @@ TEST(AnotherMeaning, IsThatOfAnotherOfTheKindThatWouldDo) {
   EXPECT_TRUE(is_unclear_with("poundcake"));
 }
 
+/// A kettle of AI2-THOR cannot be washed.
+TEST(AnotherMeaning, IsThatOfWhatThePhraseMeansThoughTheGoalDoesNotAcceptIt) {
+  const std::string goal = "(exists (?a - Pot) (exists (?b - CounterTop) (at-end (and (clean ?a) (on ?a ?b)))))";
+  const std::string text = "I'm about to make some tea. Wash something to heat the water in and put it on a counter.";
+  const auto is_unclear_with = [&](const std::string& category) {
+    return is_unclear(text, goal, home_with({{"Pot", "kitchen"}, {"CounterTop", "kitchen"}, {category, "kitchen"}}),
+                      Simulator::Ai2thor);
+  };
+  EXPECT_FALSE(is_unclear_with("Pan"));
+  EXPECT_TRUE(is_unclear_with("Kettle"));
+  // "a vegetable peeler" is not "a vegetable".
+  EXPECT_FALSE(
+      is_unclear("Put a vegetable peeler in the sink.",
+                 "(exists (?a - vegetable_peeler) (exists (?b - furniture_sink) (at-end (inside ?a ?b))))",
+                 home_with({{"vegetable_peeler", "kitchen"}, {"furniture_sink", "kitchen"}, {"carrot", "kitchen"}})));
+}
+
+TEST(AnotherMeaning, IsThatOfWhatItsSentenceLeavesOpen) {
+  const auto is_unclear_after = [&](const std::string& sentence) {
+    return is_unclear(sentence + " Get something to drink it from and put it on the coffee table.",
+                      "(exists (?a - (either coffee_cup mug)) (exists (?b - coffee_table) (at-end (on ?a ?b))))",
+                      home_with({{"mug", "kitchen"}, {"coffee_table", "living_room"}, {"wineglass", "kitchen"}}));
+  };
+  EXPECT_FALSE(is_unclear_after("I just brewed some coffee."));
+  EXPECT_TRUE(is_unclear_after("I'd like some water with ice."));
+}
+
 TEST(AnotherMeaning, IsThatOfASynonymAlone) {
   const std::string goal = "(exists (?a - towel) (exists (?b - kitchencounter) (at-end (on ?a ?b))))";
   const Scene home = home_with({{"kitchencounter", "kitchen"}, {"bathroomcounter", "bathroom"}});

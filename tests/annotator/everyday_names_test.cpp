@@ -134,6 +134,40 @@ TEST(Tops, AreSaidOfCabinetsWithARoomToo) {
   EXPECT_EQ(with_tops("Put the mug on a kitchen counter.", nouns), "Put the mug on a kitchen counter.");
 }
 
+TEST(Zips, AreWhatABackpackHas) {
+  EXPECT_EQ(with_zips("Put both closed backpacks in the closed box."),
+            "Put both zipped-up backpacks in the closed box.");
+  const Knowledge& knowledge = committed_knowledge(Simulator::Behavior);
+  Specification asked;
+  asked.goal = *parse_formula("test",
+                              "(exists (?b - wardrobe) (forall (?a - (backpack :where (closed ?a))) "
+                              "(at-end (inside ?a ?b))))",
+                              FormulaUse::Goal);
+  const auto written = write_instruction(asked, knowledge, Rng(1));
+  ASSERT_TRUE(written) << format(written.error());
+  EXPECT_NE(written->text.find("zipped-up"), std::string::npos) << written->text;
+}
+
+/// "A slice of celery", not "of celery stalk".
+TEST(Slices, AreOfWhatGrowsAndNotOfOnePartOfIt) {
+  EXPECT_EQ(as_sliced("celery stalk"), "celery");
+  EXPECT_EQ(as_sliced("stalk of celery"), "celery");
+  EXPECT_EQ(as_sliced("fennel bulb"), "fennel");
+  EXPECT_EQ(as_sliced("garlic clove"), "garlic");
+  EXPECT_EQ(as_sliced("sourdough loaf"), "sourdough");
+  EXPECT_EQ(as_sliced("tomato"), "tomato");
+  const Knowledge& knowledge = committed_knowledge(Simulator::Behavior);
+  for (const auto& [category, said] : {std::pair{"celery", "of celery "}, std::pair{"whole_fennel", "of fennel "}}) {
+    Specification asked;
+    const std::string goal =
+        "(exists (?b - chopping_board) (at-end (count >= 2 (?s - " + std::string(category) + "/slice) (on ?s ?b))))";
+    asked.goal = *parse_formula("test", goal, FormulaUse::Goal);
+    const auto written = write_instruction(asked, knowledge, Rng(1));
+    ASSERT_TRUE(written) << format(written.error());
+    EXPECT_NE(written->text.find(said), std::string::npos) << written->text;
+  }
+}
+
 TEST(OneOfSeveral, IsSaidOfWhatIsClosedOrTurnedOff) {
   const NounTable nouns(committed_knowledge(Simulator::Ai2thor), committed_names());
   EXPECT_EQ(with_one_of("Close a book and put it in the drawer.", nouns),

@@ -197,6 +197,7 @@ TEST(RealKnowledge, APhraseNamesOnlyWhatIsWantedForItsUse) {
   };
   EXPECT_TRUE(may("place-one-on", {{"A", "Book"}, {"B", "Desk"}}, Style::Context));
   EXPECT_FALSE(may("close-one", {{"A", "Book"}}, Style::Context));
+  EXPECT_FALSE(may("place-one-on", {{"A", "Book"}, {"B", "Shelf"}}, Style::Context)) << "it is put away there";
   EXPECT_TRUE(may("close-one", {{"A", "Book"}}, Style::Alias));
   EXPECT_TRUE(may("place-one-on", {{"A", "Bowl"}, {"B", "CoffeeTable"}}, Style::Hypernym));
   EXPECT_FALSE(may("place-one-inside", {{"A", "Bowl"}, {"B", "Cabinet"}}, Style::Hypernym));
@@ -213,6 +214,26 @@ TEST(RealKnowledge, AWiderNameLeavesAChoice) {
   };
   EXPECT_FALSE(widened(Simulator::Ai2thor, "Apple", "CounterTop"));
   EXPECT_TRUE(widened(Simulator::Virtualhome, "crackers", "kitchentable"));
+}
+
+/// "The laptop that is turned on", where all are shut, and "on the open nightstand".
+TEST(RealKnowledge, AStateTellsApartOnlyWhatShowsIt) {
+  const auto told_by = [&](Simulator simulator, const char* name, const Binding& binding, const char* state) {
+    const auto& knowledge = committed_knowledge(simulator);
+    const auto plain = instantiate(library_template(name), knowledge, binding);
+    EXPECT_TRUE(plain) << format(plain.error());
+    for (std::uint64_t seed = 0; plain && seed < 60; ++seed) {
+      const auto refined = refine_referring(*plain, knowledge, offer_of_uses(), "by-state", Rng(seed));
+      if (refined && to_text(refined->goal).find(":where (" + std::string(state)) != std::string::npos) return true;
+    }
+    return false;
+  };
+  const Binding laptop{{"A", "Laptop"}, {"B", "CoffeeTable"}};
+  EXPECT_TRUE(told_by(Simulator::Ai2thor, "place-one-on", laptop, "open"));
+  EXPECT_FALSE(told_by(Simulator::Ai2thor, "place-one-on", laptop, "power_on"));
+  EXPECT_FALSE(told_by(Simulator::Ai2thor, "place-one-on", {{"A", "Book"}, {"B", "CoffeeTable"}}, "open"));
+  EXPECT_TRUE(told_by(Simulator::Virtualhome, "place-one-inside", {{"A", "folder"}, {"B", "nightstand"}}, "open"));
+  EXPECT_FALSE(told_by(Simulator::Virtualhome, "place-one-on", {{"A", "folder"}, {"B", "nightstand"}}, "open"));
 }
 
 TEST(RealKnowledge, KindsThatAreListedJoinOnlyThingsOfOneOfThem) {

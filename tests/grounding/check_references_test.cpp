@@ -107,7 +107,7 @@ TEST(CheckReferences, MeasureNearnessAmongWhatIsSeenInOneRoom) {
     facts.push_back(more);
     return odd(kNearestFridge, facts);
   };
-  EXPECT_EQ(with("on mug_1 desk_1"), "");
+  EXPECT_EQ(with("next_to mug_1 desk_1"), "");
   EXPECT_EQ(with("on mug_1 fridge"), "it is on or in that");
   EXPECT_EQ(odd(kNearestFridge, {"nearest mug_1 fridge", "in_room mug_1 kitchen", "in_room mug_2 kitchen",
                                  "in_room fridge kitchen", "on mug_1 desk_1", "on desk_1 fridge"}),
@@ -116,6 +116,21 @@ TEST(CheckReferences, MeasureNearnessAmongWhatIsSeenInOneRoom) {
   EXPECT_EQ(with("inside mug_2 fridge"), "no other one is seen in the room");
   EXPECT_EQ(odd(kNearestFridge, {"nearest mug_1 fridge", "in_room mug_1 office", "in_room fridge kitchen"}),
             "that is in another room");
+}
+
+/// "The mug on the desk", not "the mug nearest to the fridge".
+TEST(CheckReferences, TellByTheOnlySuchPlaceRatherThanByNearness) {
+  std::vector<std::string> facts{"nearest mug_1 fridge",   "in_room mug_1 kitchen", "in_room mug_2 kitchen",
+                                 "in_room fridge kitchen", "closed fridge",         "in_room desk_1 kitchen",
+                                 "on mug_1 desk_1"};
+  const auto with = [&](const std::vector<std::string>& more) {
+    auto all = facts;
+    all.insert(all.end(), more.begin(), more.end());
+    return odd(kNearestFridge, all);
+  };
+  EXPECT_EQ(with({"in_room desk_2 office"}), "what it is on or in says which it is");
+  EXPECT_EQ(with({"in_room desk_2 kitchen"}), "") << "the room has two";
+  EXPECT_EQ(with({"in_room desk_2 office", "on mug_2 desk_2"}), "") << "both are on a desk";
 }
 
 TEST(CheckReferences, LeaveStatesAndColorsToOtherChecks) {
