@@ -31,6 +31,17 @@ std::string room_of(const Formula& test, const std::string& variable) {
   return in_it ? test.domain.members.front().category : "";
 }
 
+/// The start with only those pieces of a category covered with something that are in the room, where all were: nobody
+/// has two tables covered with sauce.
+void cover_only_there(std::vector<Formula>& init, const GoalVariable& variable, const Formula& test) {
+  for (Formula& start : init) {
+    if (start.op != Op::Forall || start.variable != variable.variable || start.domain != of_category(variable.category))
+      continue;
+    const Formula& fact = start.children.front();
+    if (fact.op == Op::Atom && fact.predicate == Predicate::Covered) start.domain.where = {test};
+  }
+}
+
 const Domain* domain_of(const Formula& formula, const std::string& variable) {
   if (formula.op == Op::Exists && formula.variable == variable) return &formula.domain;
   for (const Formula& child : formula.children)
@@ -47,6 +58,7 @@ std::optional<Specification> with_place_in_room(const Specification& plain, cons
     Domain domain = of_category(variable.category);
     domain.where = {place.test};
     named.goal = with_domain(plain.goal, variable, domain);
+    cover_only_there(named.init, variable, place.test);
     if (!demand_referents(named, variable, {place.test}, Comparison::AtLeast, 1)) return std::nullopt;
     const GoalVariable room{place.test.variable, place.test.domain.members.front().category, Op::Exists, 1};
     const Formula one = counted(room, Comparison::Equal, 1, Formula{});

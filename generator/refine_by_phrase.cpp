@@ -64,6 +64,17 @@ std::vector<std::vector<std::string>> choices_first(const std::vector<const Alia
   return all;
 }
 
+/// Whether the goal relates a thing so to something and names a place of that use.
+bool goes_to(Predicate relation, PlaceUse use, const GoalVariable& variable, const Specification& plain,
+             const Knowledge& knowledge, const PlaceUses* uses) {
+  const auto asked = predicates_of(plain.goal, variable.variable);
+  if (std::find(asked.begin(), asked.end(), relation) == asked.end()) return false;
+  return std::any_of(plain.binding.begin(), plain.binding.end(), [&](const auto& pair) {
+    const auto* other = pair.second == variable.category ? nullptr : knowledge.find(pair.second);
+    return other != nullptr && uses != nullptr && uses->has(other->kinds, use);
+  });
+}
+
 /// Whether a thing is put away, washed or thrown away. Who says what they are up to wants what they need for it at
 /// hand, not switched off, closed, frozen or beside something else.
 bool is_put_away(const GoalVariable& variable, const Specification& plain, const Knowledge& knowledge,
@@ -74,22 +85,7 @@ bool is_put_away(const GoalVariable& variable, const Specification& plain, const
            predicate == Predicate::NextTo;
   });
   if (ends_its_use) return true;
-  if (std::find(asked.begin(), asked.end(), Predicate::Inside) == asked.end()) return false;
-  return std::any_of(plain.binding.begin(), plain.binding.end(), [&](const auto& pair) {
-    const auto* other = pair.second == variable.category ? nullptr : knowledge.find(pair.second);
-    return other != nullptr && uses != nullptr && uses->has(other->kinds, PlaceUse::NotAtHand);
-  });
-}
-
-/// Whether a thing is put on what things are kept on, such as a shelf.
-bool is_kept_there(const GoalVariable& variable, const Specification& plain, const Knowledge& knowledge,
-                   const PlaceUses* uses) {
-  const auto asked = predicates_of(plain.goal, variable.variable);
-  return std::find(asked.begin(), asked.end(), Predicate::On) != asked.end() &&
-         std::any_of(plain.binding.begin(), plain.binding.end(), [&](const auto& pair) {
-           const auto* other = pair.second == variable.category ? nullptr : knowledge.find(pair.second);
-           return other != nullptr && uses != nullptr && uses->has(other->kinds, PlaceUse::PutAway);
-         });
+  return goes_to(Predicate::Inside, PlaceUse::NotAtHand, variable, plain, knowledge, uses);
 }
 
 /// Whether a thing is got ready, switched on or brought: who says what they are up to does not want what they need for
@@ -133,9 +129,11 @@ bool may_use_phrase(Style style, const GoalVariable& variable, const Specificati
                     const PlaceUses* uses) {
   const auto asked = predicates_of(plain.goal, variable.variable);
   const bool held = std::find(asked.begin(), asked.end(), Predicate::Held) != asked.end();
-  if (style == Style::Context)
+  if (style == Style::Context) {
+    // Who has to write a letter does not want the pen put on the bookcase.
     return is_got_ready(variable, plain) && !is_put_away(variable, plain, knowledge, uses) &&
-           !is_kept_there(variable, plain, knowledge, uses);
+           !goes_to(Predicate::On, PlaceUse::PutAway, variable, plain, knowledge, uses);
+  }
   if (style == Style::Hypernym && held) return false;  // "pick up a piece of clothing"
   const bool any_kind = style == Style::Hypernym || style == Style::Function;
   return !any_kind || may_be_any_kind(variable, plain, knowledge, uses);

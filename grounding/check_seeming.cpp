@@ -90,10 +90,10 @@ class SeemingRelations {
     if (!found_) find_stored(fact.terms[1]);
   }
 
-  /// The variables of things that the goal puts somewhere or wants held.
+  /// The variables of things that the goal puts somewhere or wants held or clean.
   void note_moved(const Formula& formula) {
     using enum Predicate;
-    constexpr std::array kMoves{On, Inside, OnFloor, InRoom, Held, NextTo};
+    constexpr std::array kMoves{On, Inside, OnFloor, InRoom, Held, NextTo, Clean};
     if (formula.op == Op::Atom && formula.terms[0].kind == Term::Kind::Variable &&
         std::find(kMoves.begin(), kMoves.end(), formula.predicate) != kMoves.end())
       moved_.insert(formula.terms[0].name);
@@ -101,7 +101,8 @@ class SeemingRelations {
   }
 
   /// Finds what all dishes and the like, to which something is to be put, are put away in: nobody wants toast on a
-  /// plate in the cabinet. What the goal puts somewhere else is taken out.
+  /// plate in the cabinet, or an apple in a bowl in the sink. What the goal puts somewhere else or wants clean is taken
+  /// out.
   void find_stored(const Term& term) {
     if (term.kind != Term::Kind::Variable || moved_.contains(term.name)) return;
     const auto places = members(term);
@@ -113,10 +114,10 @@ class SeemingRelations {
     found_ = {RejectionReason::PartHolds, trace_.entities[places.front()].id + " is put away", {}};
   }
 
-  /// A cabinet, a drawer, and what washes.
+  /// A cabinet, a drawer, and what washes or is washed in.
   bool stores(EntityIndex place) const {
-    constexpr std::array<std::string_view, 6> kStores{"cabinet",  "drawer",     "dresser",
-                                                      "wardrobe", "dishwasher", "washer"};
+    constexpr std::array<std::string_view, 7> kStores{"cabinet",    "drawer", "dresser", "wardrobe",
+                                                      "dishwasher", "washer", "sink"};
     const Category* category = knowledge_.find(trace_.entities[place].category);
     return category != nullptr && std::any_of(category->kinds.begin(), category->kinds.end(), [&](const auto& kind) {
              return std::find(kStores.begin(), kStores.end(), kind) != kStores.end();

@@ -142,10 +142,12 @@ class Decoys {
 
   std::size_t number_in_home(const std::string& category) const { return home_.places.of(category).size(); }
 
-  /// The category whose places and rooms are a category's: a slice lies where the whole does.
-  std::string_view kept_as(const Category& category) const {
+  /// The category whose places and rooms are a category's: a slice of which nobody spoke lies where the whole does.
+  std::string_view kept_as(const Category& category) {
     const auto whole = sliced_.find(category.name);
-    return whole == sliced_.end() ? std::string_view(category.name) : whole->second;
+    const auto* household = workspace().household();
+    const bool known = household != nullptr && !household->places_of(category.name).empty();
+    return whole == sliced_.end() || known ? std::string_view(category.name) : whole->second;
   }
 
   bool can_be_decoy(const Category& category) {
@@ -420,23 +422,24 @@ class Decoys {
   }
 
   /// Whether a receptacle is in the room, usual if it has to be, and not where this task or one for the thing puts
-  /// things.
+  /// things. Slices lie on or in something that is carried, or where they usually are: nobody leaves a slice of tomato
+  /// in the toaster or on the desk.
   bool may_hold(const Node& host, const Category& category, const Added& model, const std::string& wanted) {
-    return host.category != wanted && !places_.contains(host.category) &&
+    const bool holds_slices = host.movable && (workspace().household() == nullptr ||
+                                               !workspace().household()->is_a(host.category, "cookware"));
+    const bool suits = !sliced_.contains(category.name) || holds_slices || is_usual_at(category, host.category);
+    return suits && host.category != wanted && !places_.contains(host.category) &&
            !(host.movable && spoken_.contains(host.category)) &&
            has_room_for(workspace(), category.name, host, model.together) &&
            (model.room == nullptr || workspace().room_of(*workspace().places().find(host.id)) == model.room) &&
            (model.unusual || is_usual_at(category, host.category));
   }
-  /// The same; no food is heated there, and slices lie on or in something that is carried: nobody leaves a slice of
-  /// tomato in the toaster or on the desk.
+  /// The same; no food is heated there.
   std::function<bool(const Node&)> is_free(const Category& category, const Added& model, std::string wanted) {
     return [this, &category, model, wanted = std::move(wanted)](const Node& host) {
       const auto* household = workspace().household();
       const bool heats = household != nullptr && household->passes(host.category) && !household->washes(host.category);
-      const bool holds_slices = host.movable && (household == nullptr || !household->is_a(host.category, "cookware"));
-      const bool suits = holds_slices || !sliced_.contains(category.name);
-      return may_hold(host, category, model, wanted) && !heats && suits;
+      return may_hold(host, category, model, wanted) && !heats;
     };
   }
 

@@ -6,6 +6,7 @@
 
 #include "generator/goal_parts.h"
 #include "grounding/check_start.h"
+#include "grounding/crowding.h"
 #include "grounding/decoys.h"
 #include "grounding/edits_in_words.h"
 #include "grounding/enforce.h"
@@ -120,8 +121,23 @@ Start read_start(SceneEditor& editor, const Home& home) {
   return start;
 }
 
+/// A category of which so many were added that the home has more than homes do: three gravy boats.
+std::optional<std::string> added_too_often(const Workspace& workspace, const Delta& changes) {
+  std::map<std::string, std::size_t> added;
+  for (const Node& node : changes.nodes) {
+    if (node.movable && !workspace.home()->places.find(node.id)) ++added[node.category];
+  }
+  for (const auto& [category, more] : added) {
+    const std::size_t all = workspace.places().of(category).size();
+    if (!may_be_so_many(workspace, all - more, more, category)) return category;
+  }
+  return std::nullopt;
+}
+
 /// Why no home looks like the start: more than 8 things differ from the home, more than 2 pieces of furniture of a
-/// category were changed alike, or something that was changed is odd where it is (oddness_of); nullopt when some does.
+/// category were changed alike, something of which homes have one or two was added until it has more, or something that
+/// was changed is odd where it is (oddness_of), or was added and is at a place that is not usual; nullopt when some
+/// does.
 std::optional<GroundingFailure> odd_start(const Workspace& workspace, bool dangerous) {
   constexpr std::size_t kMostChanged = 8;
   constexpr int kMostAlike = 2;
@@ -129,13 +145,18 @@ std::optional<GroundingFailure> odd_start(const Workspace& workspace, bool dange
   const auto failure = [](std::string why) { return GroundingFailure{RejectionReason::OddStart, std::move(why), {}}; };
   const std::size_t changed = changes.nodes.size() + changes.removed.size();
   if (changed > kMostChanged) return failure(std::to_string(changed) + " things would not be as in the home");
+  if (const auto category = added_too_often(workspace, changes))
+    return failure("no home has so many things of " + *category);
   std::map<std::string, int> alike;
   for (const Node& node : changes.nodes) {
     if (!node.movable && ++alike[node.category] > kMostAlike)
       return failure("several " + node.category + " would have to be in a state that few of them are in");
+    if (!node.movable || dangerous) continue;
     std::string why;
-    if (node.movable && !dangerous && oddness_of(workspace, node, &why) == Oddness::Senseless)
-      return failure(std::move(why));
+    const Oddness odd = oddness_of(workspace, node, &why);
+    if (odd == Oddness::Senseless) return failure(std::move(why));
+    if (odd == Oddness::Unusual && !workspace.home()->places.find(node.id))
+      return failure(node.id + " would come to where such things are only at times");
   }
   return std::nullopt;
 }

@@ -19,6 +19,11 @@ bool is_never_found(const CommonSense& sense, const Thing& thing, const Role& pl
   return sense.found(thing, place).grade == Grade::Senseless;
 }
 
+/// Whether two lists of rules have one in common.
+bool have_one_in_common(const std::vector<std::size_t>& some, const std::vector<std::size_t>& more) {
+  return std::find_first_of(some.begin(), some.end(), more.begin(), more.end()) != some.end();
+}
+
 }  // namespace
 
 Household::Household(const Knowledge& knowledge, const CommonSense& sense, StartStates states, UseStates uses)
@@ -44,6 +49,10 @@ Household::Household(const Knowledge& knowledge, const CommonSense& sense, Start
       if (sense.used_for(fact->kind, PlaceUse::OwnRooms)) own_rooms_.insert(category.name);
       if (sense.used_for(fact->kind, PlaceUse::DirtyOrNot)) washing_.insert(category.name);
       if (sense.used_for(fact->kind, PlaceUse::Passing)) passing_.insert(category.name);
+      if (sense.used_for(fact->kind, PlaceUse::Storage) || kinds_.is_a(fact->kind, "storage_box") ||
+          kinds_.is_a(fact->kind, "bag"))
+        storing_.insert(category.name);
+      if (category.movable) stored_apart_[category.name] = sense.stored_apart(thing_of(category));
     }
     if (!category.movable) continue;
     found_in_[category.name].insert(category.rooms.begin(), category.rooms.end());
@@ -158,13 +167,20 @@ std::string_view Household::kind_of(std::string_view category) const {
   return found == kind_.end() ? std::string_view() : std::string_view(found->second);
 }
 
+bool Household::stored_apart(std::string_view a, std::string_view b, Predicate relation,
+                             std::string_view receptacle) const {
+  if (relation != Predicate::Inside || !storing_.contains(receptacle)) return false;
+  const auto one = stored_apart_.find(a), other = stored_apart_.find(b);
+  if (one == stored_apart_.end() || other == stored_apart_.end()) return false;
+  return have_one_in_common(one->second.one, other->second.other) ||
+         have_one_in_common(one->second.other, other->second.one);
+}
+
 bool Household::clash(std::string_view a, std::string_view b) const {
   const auto one = apart_.find(a), other = apart_.find(b);
   if (one == apart_.end() || other == apart_.end()) return false;
-  const auto share = [](const std::vector<std::size_t>& some, const std::vector<std::size_t>& more) {
-    return std::find_first_of(some.begin(), some.end(), more.begin(), more.end()) != some.end();
-  };
-  return share(one->second.first, other->second.second) || share(one->second.second, other->second.first);
+  return have_one_in_common(one->second.first, other->second.second) ||
+         have_one_in_common(one->second.second, other->second.first);
 }
 
 std::vector<Predicate> Household::states_in_use(std::string_view category, const Role& use) const {

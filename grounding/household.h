@@ -74,6 +74,10 @@ class Household {
   /// True for two categories that a rule of safety keeps apart: cleaning agents and food. Kinds of food are not kept
   /// apart here: a fridge has a shelf for each.
   bool clash(std::string_view a, std::string_view b) const;
+  /// Whether things are kept in such a receptacle (PlaceUse::Storage), a box or a bag.
+  bool stores(std::string_view receptacle) const { return storing_.contains(receptacle); }
+  /// True for two categories that nobody keeps in one such place: soap and bread in a cabinet, but not on a counter.
+  bool stored_apart(std::string_view a, std::string_view b, Predicate relation, std::string_view receptacle) const;
   /// All states that are spoken of there.
   std::vector<LikelyState> states_of(std::string_view category, Predicate relation, std::string_view receptacle) const;
 
@@ -92,12 +96,14 @@ class Household {
   struct Rules {
     std::vector<std::size_t> first, second;
   };
-  std::map<std::string, Rules, std::less<>> apart_;       // by category; of those that a rule speaks of
-  std::map<std::string, std::string, std::less<>> kind_;  // by category
-  std::set<std::string, std::less<>> put_away_;           // receptacles of PlaceUse::PutAway
-  std::set<std::string, std::less<>> own_rooms_;          // receptacles of PlaceUse::OwnRooms
-  std::set<std::string, std::less<>> washing_;            // receptacles of PlaceUse::DirtyOrNot
-  std::set<std::string, std::less<>> passing_;            // receptacles of PlaceUse::Passing
+  std::map<std::string, Rules, std::less<>> apart_;  // by category; of those that a rule speaks of
+  std::map<std::string, CommonSense::StoredApart, std::less<>> stored_apart_;  // by category
+  std::map<std::string, std::string, std::less<>> kind_;                       // by category
+  std::set<std::string, std::less<>> put_away_;                                // receptacles of PlaceUse::PutAway
+  std::set<std::string, std::less<>> own_rooms_;                               // receptacles of PlaceUse::OwnRooms
+  std::set<std::string, std::less<>> washing_;                                 // receptacles of PlaceUse::DirtyOrNot
+  std::set<std::string, std::less<>> passing_;                                 // receptacles of PlaceUse::Passing
+  std::set<std::string, std::less<>> storing_;  // receptacles of PlaceUse::Storage, boxes and bags
   std::map<std::string, std::vector<Place>, std::less<>> places_;
   // By kind, or by category where a rule names it; then by type of room.
   std::map<std::string, std::map<std::string, double, std::less<>>, std::less<>> rooms_;

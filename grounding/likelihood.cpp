@@ -54,22 +54,33 @@ bool stays(const Workspace& workspace, const Node& node) {
   return at && home->scene.nodes[*at].pose == node.pose;
 }
 
-/// Something else on or in the receptacle that is kept apart from the thing, unless the home keeps it beside such
-/// things: in real homes spray stands beside fruit.
-const Node* clashing(const Workspace& workspace, const Node& node, std::size_t host) {
+/// Something else on or in the receptacle that is kept apart from the thing, there or as what is in such a place,
+/// unless the home keeps it beside such things: in real homes spray stands beside fruit.
+const Node* clashing(const Workspace& workspace, const Node& node, Predicate relation, std::size_t host) {
   const auto& household = *workspace.household();
   const auto carried = workspace.carried_by(host);
+  const auto& receptacle = workspace.scene().nodes[host];
+  const auto& present = workspace.current_state();
+  const auto around = present.reader().find(receptacle.id);
+  const auto is_inside = [&](const Node& other) {
+    const auto entity = present.reader().find(other.id);
+    return around && entity && present.now().states.front().holds(Predicate::Inside, *entity, *around);
+  };
+  const auto clash = [&](const Node& one, const Node& other) {
+    return household.clash(one.category, other.category) ||
+           (household.stored_apart(one.category, other.category, relation, receptacle.category) && is_inside(other));
+  };
   const auto thing = [&](const std::string& id) -> const Node& {
     return workspace.scene().nodes[*workspace.places().find(id)];
   };
   const auto is_usual_here = [&](const Node& other) {
     return stays(workspace, other) && std::any_of(carried.begin(), carried.end(), [&](const std::string& id) {
-             return id != node.id && household.clash(thing(id).category, other.category) && stays(workspace, thing(id));
+             return id != node.id && clash(thing(id), other) && stays(workspace, thing(id));
            });
   };
   for (const std::string& id : carried) {
     const Node& other = thing(id);
-    if (other.id != node.id && household.clash(node.category, other.category) && !is_usual_here(other)) return &other;
+    if (other.id != node.id && clash(node, other) && !is_usual_here(other)) return &other;
   }
   return nullptr;
 }
@@ -123,6 +134,11 @@ bool is_rare_at(const Workspace& workspace, const Node& node, const Node& recept
   return rare(Predicate::On) || rare(Predicate::Inside);
 }
 
+bool is_kept_apart_in(const Workspace& workspace, const Node& node, Predicate relation, std::size_t host) {
+  return relation == Predicate::Inside && workspace.household() != nullptr && workspace.home() != nullptr &&
+         clashing(workspace, node, relation, host) != nullptr;
+}
+
 Oddness oddness_of(const Workspace& workspace, const Node& node, std::string* reason) {
   const auto* household = workspace.household();
   const auto odd = [&](const std::string& why) {
@@ -150,7 +166,7 @@ Oddness oddness_of(const Workspace& workspace, const Node& node, std::string* re
     if (some_usual && (place == nullptr || !place->usual)) worst = Oddness::Unusual;
     const auto state = rare_state(workspace, node, before, relation, there.category);
     if (!state.empty()) return odd(state + " " + at + ", as hardly anything is there");
-    const Node* other = unmoved ? nullptr : clashing(workspace, node, host);
+    const Node* other = unmoved ? nullptr : clashing(workspace, node, relation, host);
     if (other != nullptr) return odd(at + " together with " + other->id);
   }
   return worst;

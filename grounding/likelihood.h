@@ -27,6 +27,10 @@ inline constexpr double kHardlyAny = 0.01;
 /// nothing that is not cold in a fridge. False without a household.
 bool is_rare_at(const Workspace& workspace, const Node& node, const Node& receptacle);
 
+/// Whether something is in the receptacle, as last read, with which nobody keeps things of the thing's category in
+/// there (Household::stored_apart), though the home has no two such things there itself.
+bool is_kept_apart_in(const Workspace& workspace, const Node& node, Predicate relation, std::size_t host);
+
 /// How odd it is to find something.
 enum class Oddness : std::uint8_t {
   None,

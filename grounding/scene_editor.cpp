@@ -87,6 +87,12 @@ bool SceneEditor::settle_somewhere(Node node, const std::function<bool(const Nod
     return fail(RejectionReason::NoFreePlace, "the home has no receptacle that the knowledge allows for " +
                                                   node.category + " other than where it must not be");
   }
+  const auto is_apart = [&](const Host& host) {
+    const auto* household = workspace_.household();
+    if (household == nullptr || !household->stores(scene.nodes[host.node].category)) return false;
+    refresh();
+    return is_kept_apart_in(workspace_, node, host.relation, host.node);
+  };
   Rng rng = next_rng();
   const std::size_t index = index_of(node.id).value_or(scene.nodes.size());
   std::string obstacle;
@@ -109,6 +115,10 @@ bool SceneEditor::settle_somewhere(Node node, const std::function<bool(const Nod
       const Host host = left[at];
       left.erase(left.begin() + static_cast<std::ptrdiff_t>(at));
       weights.erase(weights.begin() + static_cast<std::ptrdiff_t>(at));
+      if (is_apart(host)) {
+        obstacle = node.category + " is not kept with what is there";
+        continue;
+      }
       const auto place =
           find_place(workspace_, node, index, host.relation, host.node, {.draws = std::max(4, draws_ / 4)}, next_rng());
       if (!place.pose) {

@@ -133,7 +133,7 @@ class Scatterer {
   std::optional<Host> place(const PlacementRequest& request, Rng rng) {
     const Node plain = make_node(workspace_, *request.category, kObjectSizeSpread, rng);
     std::vector<Host> hosts = hosts_in(request);
-    std::erase_if(hosts, [&](const Host& host) { return holds_what_clashes(host.node, request.category->name); });
+    std::erase_if(hosts, [&](const Host& host) { return holds_what_clashes(host, request.category->name); });
     for (int choice = 0; choice < kReceptaclesPerTry && !hosts.empty(); ++choice) {
       std::vector<double> chances;
       for (const Host& host : hosts) chances.push_back(host.weight);
@@ -175,7 +175,10 @@ class Scatterer {
     node.pose = *place.pose;
     carried_[host.node].push_back(category.name);
     const std::size_t added = workspace_.add(std::move(node));
-    if (host.relation == Predicate::Inside) inside_[added] = workspace_.scene().nodes[host.node].category;
+    if (host.relation == Predicate::Inside) {
+      inside_[added] = workspace_.scene().nodes[host.node].category;
+      contents_[host.node].push_back(category.name);
+    }
     enter(added);
     return true;
   }
@@ -241,12 +244,20 @@ class Scatterer {
     return hosts;
   }
 
-  /// Whether the node has something on or in it that is kept apart from the category: no bleach among the bread.
-  bool holds_what_clashes(std::size_t node, std::string_view category) const {
-    const auto carried = carried_.find(node);
-    if (carried == carried_.end() || workspace_.household() == nullptr) return false;
-    return std::any_of(carried->second.begin(), carried->second.end(),
-                       [&](std::string_view other) { return workspace_.household()->clash(category, other); });
+  /// Whether the host has something on or in it that is kept apart from the category: no bleach among the bread, no
+  /// soap in one cabinet with it.
+  bool holds_what_clashes(const Host& host, std::string_view category) const {
+    const auto* household = workspace_.household();
+    if (household == nullptr) return false;
+    const auto has = [&](const std::map<std::size_t, std::vector<std::string_view>>& things, const auto& clash) {
+      const auto found = things.find(host.node);
+      return found != things.end() && std::any_of(found->second.begin(), found->second.end(), clash);
+    };
+    const std::string& receptacle = workspace_.scene().nodes[host.node].category;
+    return has(carried_, [&](std::string_view other) { return household->clash(category, other); }) ||
+           has(contents_, [&](std::string_view other) {
+             return household->stored_apart(category, other, host.relation, receptacle);
+           });
   }
 
   /// Where the room has one of the usual places of a category, only these; where it has none of what has such places
@@ -302,9 +313,10 @@ class Scatterer {
   const LayoutRecipe& recipe_;
   const ScatterOptions& options_;
   std::vector<std::map<std::string, std::vector<std::size_t>, std::less<>>> rooms_;  // category → nodes, by room
-  std::set<std::string_view> sliced_;                             // categories that only slicing makes
-  std::map<std::size_t, std::vector<std::string_view>> carried_;  // categories of the things put on or in a node
-  std::map<std::size_t, std::string> inside_;                     // of a thing that was put in one: that category
+  std::set<std::string_view> sliced_;                              // categories that only slicing makes
+  std::map<std::size_t, std::vector<std::string_view>> carried_;   // categories of the things put on or in a node
+  std::map<std::size_t, std::vector<std::string_view>> contents_;  // the same of those that were put in it
+  std::map<std::size_t, std::string> inside_;                      // of a thing that was put in one: that category
 };
 
 }  // namespace

@@ -257,7 +257,7 @@ bool CommonSense::may_mean(const Thing& name, const Thing& thing) const {
 
 const SenseRule* CommonSense::broken(const Thing& thing, const Role& role) const {
   for (const auto& rule : rules_) {
-    if (!rule.together && matches(rule.other, role) && meets(rule, thing)) return &rule;
+    if (!rule.together && !rule.stored && matches(rule.other, role) && meets(rule, thing)) return &rule;
   }
   return nullptr;
 }
@@ -310,6 +310,16 @@ std::vector<std::pair<std::string, std::string>> CommonSense::kept_apart() const
     if (rule.together) pairs.emplace_back(rule.thing, rule.other);
   }
   return pairs;
+}
+
+CommonSense::StoredApart CommonSense::stored_apart(const Thing& thing) const {
+  StoredApart found;
+  for (std::size_t i = 0; i < rules_.size(); ++i) {
+    if (!rules_[i].stored) continue;
+    if (meets(rules_[i], thing)) found.one.push_back(i);
+    if (kinds_.is_a(thing.kind, rules_[i].other)) found.other.push_back(i);
+  }
+  return found;
 }
 
 Sense CommonSense::together(const Thing& a, const Thing& b) const {

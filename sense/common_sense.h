@@ -92,6 +92,12 @@ class CommonSense {
   /// The kinds that a rule keeps apart, in the order of the rules: nothing of the first is at one place with something
   /// of the second.
   std::vector<std::pair<std::string, std::string>> kept_apart() const;
+  /// The rules on what is in one closed place, by their numbers: those that speak of the thing as the one or as the
+  /// other of two. Nobody keeps two things in one cabinet that a rule speaks of as one and as the other.
+  struct StoredApart {
+    std::vector<std::size_t> one, other;
+  };
+  StoredApart stored_apart(const Thing& thing) const;
   /// The rules on two things at one place, or next to one another.
   Sense together(const Thing& a, const Thing& b) const;
 

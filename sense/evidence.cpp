@@ -71,9 +71,14 @@ std::vector<SenseRule> read_sense_rules(const std::filesystem::path& path, const
                                         std::vector<Error>& errors) {
   std::vector<SenseRule> all;
   each_row(path, {"name", "form", "thing", "except", "other", "reason", "source"}, errors, [&](RowReader& row) {
-    SenseRule rule{row.required("name"),  row.one_of("form", {"role", "together"}, "form") == "together",
-                   row.required("thing"), row.list("except"),
-                   row.required("other"), row.required("reason")};
+    const auto name = row.required("name"), form = row.one_of("form", {"role", "together", "stored"}, "form");
+    SenseRule rule{name,
+                   form == "together",
+                   row.required("thing"),
+                   row.list("except"),
+                   row.required("other"),
+                   row.required("reason")};
+    rule.stored = form == "stored";
     (void)row.required("source");
     if (rule.thing.starts_with(kWords)) {
       for (const auto& word : split(rule.thing.substr(kWords.size()), '|')) {
@@ -83,7 +88,7 @@ std::vector<SenseRule> read_sense_rules(const std::filesystem::path& path, const
     } else if (!rule.thing.starts_with(kMaterial)) {
       kind_in(row, "thing", kinds);
     }
-    if (rule.together) kind_in(row, "other", kinds);
+    if (rule.together || rule.stored) kind_in(row, "other", kinds);
     for (const auto& kind : rule.except) {
       if (kinds.find(kind) == nullptr) row.fail("except", "'" + kind + "' is not a kind of kinds.csv");
     }

@@ -55,12 +55,13 @@ Judgments read_judgments(const std::filesystem::path& path, const Kinds& kinds, 
 /// A rule of sense or safety, which no evidence overrides: a row of rules.csv.
 struct SenseRule {
   std::string name;
-  bool together = false;  // true: `thing` and `other` at one place; false: `thing` in the role `other`
+  bool together = false;  // true: `thing` and `other` at one place; false: `thing` in the role `other`, or `stored`
   std::string thing;      // a kind, `material:metal`, or `words:` with names of things as in words.csv, split by |
   std::vector<std::string> except;
   std::string other;  // a kind; or a role, where a final * stands for any ending
   std::string reason;
   std::set<std::string, std::less<>> words = {};  // of `words:`
+  bool stored = false;                            // `thing` and `other` in one closed place
 };
 /// Reads rules.csv (name,form,thing,except,other,reason,source). Errors are appended.
 std::vector<SenseRule> read_sense_rules(const std::filesystem::path& path, const Kinds& kinds,

@@ -196,6 +196,8 @@ TEST(RealKnowledge, APhraseNamesOnlyWhatIsWantedForItsUse) {
     return plain && may_use_phrases(style, *plain, knowledge, offer_of_uses().uses);
   };
   EXPECT_TRUE(may("place-one-on", {{"A", "Book"}, {"B", "Desk"}}, Style::Context));
+  EXPECT_FALSE(may("place-one-on", {{"A", "Book"}, {"B", "Shelf"}}, Style::Context));
+  EXPECT_TRUE(may("place-one-on", {{"A", "Book"}, {"B", "Shelf"}}, Style::Alias));
   EXPECT_FALSE(may("close-one", {{"A", "Book"}}, Style::Context));
   EXPECT_FALSE(may("place-one-on", {{"A", "Book"}, {"B", "Shelf"}}, Style::Context)) << "it is put away there";
   EXPECT_TRUE(may("close-one", {{"A", "Book"}}, Style::Alias));

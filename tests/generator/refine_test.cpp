@@ -225,6 +225,21 @@ TEST(PlaceInRoom, IsNotAddedWhereItSaysNothingOrSuitsNothing) {
   EXPECT_EQ(with_places_in_rooms(by_room, knowledge, three_tables(), kAnyRoom, Rng(1)).goal, plain.goal);
 }
 
+TEST(PlaceInRoom, IsWhereSomethingIsCoveredAndNothingElseIs) {
+  const auto knowledge = small_home(Simulator::Ai2thor);
+  auto plain = made("place-one-on", {{"A", "Mug"}, {"B", "Table"}});
+  plain.init.push_back(*parse_formula("test", "(forall (?b - Table) (covered ?b dust))", FormulaUse::State));
+  plain.init.push_back(*parse_formula("test", "(forall (?b - Table) (dirty ?b))", FormulaUse::State));
+  const auto named = with_places_in_rooms(plain, knowledge, three_tables(), kAnyRoom, Rng(1));
+  const auto covered = [](const Formula& start) {
+    return to_text(start) ==
+           "(forall (?b - (Table :where (exists (?p - LivingRoom) (in_room ?b ?p)))) (covered ?b dust))";
+  };
+  EXPECT_TRUE(std::any_of(named.init.begin(), named.init.end(), covered));
+  const auto all_dirty = [](const Formula& start) { return to_text(start) == "(forall (?b - Table) (dirty ?b))"; };
+  EXPECT_TRUE(std::any_of(named.init.begin(), named.init.end(), all_dirty)) << "many things are dirty in a home";
+}
+
 TEST(PlaceInRoom, IsFoundAgainInTheGoal) {
   const auto knowledge = small_home(Simulator::Ai2thor);
   const auto plain = made("place-one-on", {{"A", "Mug"}, {"B", "Table"}});

@@ -117,6 +117,10 @@ TEST(Seeming, IsNotAskedOfABowlThatIsPutAway) {
   EXPECT_FALSE(seems(and_on, stored));  // it is taken out
   EXPECT_FALSE(seems(into, {{"bowl_1", Inside, "cabinet"}, {"bowl_2", On, "table"}}));
   EXPECT_FALSE(seems(into, {{"bowl_1", Inside, "fridge"}, {"bowl_2", Inside, "fridge"}}));
+  const std::vector<Fact> in_sink{{"bowl_1", Inside, "sink"}, {"bowl_2", Inside, "sink"}};
+  const std::string washed = "(exists (?a - Apple) (exists (?b - Bowl) (at-end (and (clean ?b) (inside ?a ?b)))))";
+  EXPECT_TRUE(seems(into, in_sink));
+  EXPECT_FALSE(seems(washed, in_sink));  // it is washed first
 }
 
 TEST(Seeming, EndsWhereContactsGoInACircle) {

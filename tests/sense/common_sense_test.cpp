@@ -127,6 +127,18 @@ TEST(CommonSense, KeepsApartWhatIsDangerousTogether) {
   EXPECT_EQ(sense.together({"plate", "plate", {}}, {"cutlery", "fork", {}}).grade, Grade::Usual);
 }
 
+TEST(CommonSense, KnowsWhatNobodyKeepsInOneCabinet) {
+  SenseRule rule{"food-apart", false, "movable", {"food", "bowl"}, "food", "food is kept with food"};
+  rule.stored = true;
+  const CommonSense sense = small({}, {}, {rule});
+  using Rules = std::vector<std::size_t>;
+  EXPECT_EQ(sense.stored_apart({"fruit", "apple", {}}).one, Rules{});
+  EXPECT_EQ(sense.stored_apart({"fruit", "apple", {}}).other, Rules{0});
+  EXPECT_EQ(sense.stored_apart({"movable", "soap", {}}).one, Rules{0});
+  EXPECT_EQ(sense.stored_apart({"movable", "soap", {}}).other, Rules{});
+  EXPECT_NE(sense.grade({"movable", "soap", {}}, "food").why, "rule:food-apart") << "it speaks of no role";
+}
+
 TEST(CommonSense, EverySourceOfTheTablesHasALicense) {
   std::vector<Error> errors;
   const auto licenses = read_licenses(std::filesystem::path(UNIETP_SOURCE_DIR) / "data/licences.csv", errors);
