@@ -134,11 +134,21 @@ std::optional<std::string> added_too_often(const Workspace& workspace, const Del
   return std::nullopt;
 }
 
+/// Whether such things are usually on or in something of the home where the goal does not put them.
+bool has_other_usual_place(const Workspace& workspace, const std::string& category, const GoalPlaces& places) {
+  const auto goal = places.find(category);
+  const auto& all = workspace.household()->places_of(category);
+  return std::any_of(all.begin(), all.end(), [&](const Household::Place& place) {
+    return place.usual && !workspace.places().of(place.receptacle).empty() &&
+           (goal == places.end() || !goal->second.contains(place.receptacle));
+  });
+}
+
 /// Why no home looks like the start: more than 8 things differ from the home, more than 2 pieces of furniture of a
 /// category were changed alike, something of which homes have one or two was added until it has more, or something that
-/// was changed is odd where it is (oddness_of), or was added and is at a place that is not usual; nullopt when some
-/// does.
-std::optional<GroundingFailure> odd_start(const Workspace& workspace, bool dangerous) {
+/// was changed is odd where it is (oddness_of), or was added to a place that is not usual while the goal leaves it one
+/// that is; nullopt when some does.
+std::optional<GroundingFailure> odd_start(const Workspace& workspace, const GoalPlaces& places, bool dangerous) {
   constexpr std::size_t kMostChanged = 8;
   constexpr int kMostAlike = 2;
   const Delta changes = workspace.changes();
@@ -155,7 +165,8 @@ std::optional<GroundingFailure> odd_start(const Workspace& workspace, bool dange
     std::string why;
     const Oddness odd = oddness_of(workspace, node, &why);
     if (odd == Oddness::Senseless) return failure(std::move(why));
-    if (odd == Oddness::Unusual && !workspace.home()->places.find(node.id))
+    if (odd == Oddness::Unusual && !workspace.home()->places.find(node.id) &&
+        has_other_usual_place(workspace, node.category, places))
       return failure(node.id + " would come to where such things are only at times");
   }
   return std::nullopt;
@@ -219,7 +230,7 @@ std::variant<Grounded, Rejection> ground(const Specification& specification, con
     editor.reserved().clear();
     if (!misplaced || !editor.relocate(problem->subject, [](const Node&) { return true; })) break;
   }
-  if (!problem && options.likely) problem = odd_start(workspace, options.dangerous);
+  if (!problem && options.likely) problem = odd_start(workspace, goal_places(specification.goal), options.dangerous);
   if (problem) return rejected(specification, home.scene, *problem);
   if (options.decoys && add_decoys(editor, specification, home, rng.fork("decoys", 0)) > 0) {
     Start with_decoys = read_start(editor, home);
