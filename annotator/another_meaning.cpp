@@ -80,10 +80,21 @@ class Listener {
     if (!place.empty() && says_twice(*name, place)) return true;
     if (!known->movable && !place.empty() && !stands_in(own, known->rooms) && !stands_in_any_room(own)) return true;
     const auto alike = nouns_.everyday()->look_alikes(known->display);
+    if (says_one_of(alike, own)) return true;
     return std::any_of(others_.begin(), others_.end(), [&](const std::string& there) {
       const Category* other = knowledge_.find(there);
       return other != nullptr && (is_among(alike, *other) || is_called(there, *other, name->singular)) &&
              (place.empty() || !is_room(place) || stands_in(there, std::array{std::string(place)}));
+    });
+  }
+
+  /// "The pair of glasses and the pair of eyeglasses": which is which?
+  bool says_one_of(std::span<const std::string> alike, const std::string& own) const {
+    return std::any_of(own_.begin(), own_.end(), [&](const std::string& another) {
+      const Category* known = knowledge_.find(another);
+      const NounTable::Name* name = nouns_.display(another);
+      return another != own && known != nullptr && name != nullptr && contains(alike, known->display) &&
+             (said_.contains(joined(tokens_of(name->singular))) || said_.contains(joined(tokens_of(name->plural))));
     });
   }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "annotator/naming.h"
+#include "core/text.h"
 
 namespace unietp {
 namespace {
@@ -48,7 +49,8 @@ bool Naming::puts_away(const Domain& noun) const {
 }
 
 bool Naming::comes_from_a_shaker(const std::string& substance) const {
-  return substance == "black_pepper" || lexicon_.display(substance + "_shaker") != nullptr;
+  const std::string named = replace_all(substance, "-", "_");  // lemon-pepper_seasoning
+  return substance == "black_pepper" || lexicon_.display(named + "_shaker") != nullptr;
 }
 
 /// How many phrases of the plan are of this noun.

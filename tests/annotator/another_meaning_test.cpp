@@ -97,6 +97,19 @@ TEST(AnotherMeaning, IsThatOfWhatThePhraseMeansThoughTheGoalDoesNotAcceptIt) {
                  home_with({{"vegetable_peeler", "kitchen"}, {"furniture_sink", "kitchen"}, {"carrot", "kitchen"}})));
 }
 
+TEST(AnotherMeaning, IsThatOfTwoThingsThatPeopleCallAlike) {
+  const Scene home = home_with({{"eyeglasses", "bedroom"}, {"spectacles", "bedroom"}, {"console_table", "corridor"}});
+  const auto goal = [](const std::string& thing, const std::string& other) {
+    return "(exists (?a - " + thing + ") (exists (?b - " + other + ") (exists (?c - console_table) (at-end (and " +
+           "(on ?a ?c) (on ?b ?c))))))";
+  };
+  EXPECT_TRUE(is_unclear("Place the pair of eyeglasses and the pair of glasses on the console table.",
+                         goal("eyeglasses", "spectacles"), home, Simulator::Habitat));
+  EXPECT_FALSE(is_unclear("Place the pair of eyeglasses and the hat on the console table.", goal("eyeglasses", "hat"),
+                          home_with({{"eyeglasses", "bedroom"}, {"hat", "bedroom"}, {"console_table", "corridor"}}),
+                          Simulator::Habitat));
+}
+
 TEST(AnotherMeaning, IsThatOfWhatItsSentenceLeavesOpen) {
   const auto is_unclear_after = [&](const std::string& sentence) {
     return is_unclear(sentence + " Get something to drink it from and put it on the coffee table.",

@@ -148,6 +148,15 @@ TEST(Zips, AreWhatABackpackHas) {
   EXPECT_NE(written->text.find("zipped-up"), std::string::npos) << written->text;
 }
 
+TEST(Shakers, AreShakenOverFood) {
+  Specification asked;
+  asked.goal =
+      *parse_formula("test", "(exists (?a - bagel) (at-end (covered ?a lemon-pepper_seasoning)))", FormulaUse::Goal);
+  const auto written = write_instruction(asked, committed_knowledge(Simulator::Behavior), Rng(1));
+  ASSERT_TRUE(written) << format(written.error());
+  EXPECT_TRUE(written->text.starts_with("Sprinkle ")) << written->text;
+}
+
 /// "A slice of celery", not "of celery stalk".
 TEST(Slices, AreOfWhatGrowsAndNotOfOnePartOfIt) {
   EXPECT_EQ(as_sliced("celery stalk"), "celery");
