@@ -3,6 +3,7 @@
 #include "dataset/candidate_number.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "generator/domain_constraints.h"
 #include "generator/weighted_binding.h"
@@ -59,10 +60,16 @@ std::vector<CandidatePlan> CandidatePlanner::round(const std::vector<int>& open,
 CandidatePlan CandidatePlanner::next_candidate(const TaskSlot& slot, int attempt, std::size_t look) {
   auto& turn = turn_of(slot.index);
   const Rng rng = Rng(configuration_.seed).fork("plan", candidate_number(slot.index, attempt));
+  const auto name = [&] { return resources_.templates[turn.source].name; };
   if (turn.left == 0) {
-    turn.source = next_template(slot, turn, counts_, rng.fork("template", look));
-    turn.left = kAttemptsPerTemplate;
-    counts_.add({Dimension::Template, resources_.templates[turn.source].name});
+    if (turn.more > 0 && turn.drawn == 1 && counts_.count(Dimension::Template, name()) == 0) {
+      turn.left = std::exchange(turn.more, 0);
+    } else {
+      turn.source = next_template(slot, turn, counts_, rng.fork("template", look));
+      turn.left = kAttemptsPerTemplate;
+      turn.more = kAttemptsForUnused;
+    }
+    counts_.add({Dimension::Template, name()});
   }
   --turn.left;
   CandidatePlan plan{slot.index,
@@ -73,7 +80,7 @@ CandidatePlan CandidatePlanner::next_candidate(const TaskSlot& slot, int attempt
                      least_of(slot, turn.source, attempt),
                      style_of(slot, turn.drawn - 1)};
   choose_home(plan, slot, counts_, rng);
-  if (!plan.binding) turn.left = 0;
+  if (!plan.binding) turn.left = turn.more = 0;
   return plan;
 }
 

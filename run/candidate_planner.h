@@ -27,11 +27,11 @@ struct CandidatePlan {
 
 /// Chooses templates, homes and categories so that the data set is balanced over templates, categories, receptacles,
 /// rooms and homes: each is drawn by inverse frequency among the tasks taken so far and the candidates planned before
-/// it in the same round. A slot keeps its first template for a few attempts, or until no home offers it a binding or it
-/// is dropped, then takes one that it has not tried, if possible one that no task has; a slot of the Linguistic split
-/// keeps its phenomenon for a few templates, then takes its next. Where homes are given (Resources::homes), what they
-/// have is all there is: a slot passes over templates that no home offers a binding, without a candidate, until all had
-/// their turn.
+/// it in the same round. A slot keeps its first template for a few attempts, and for more while no task has that one,
+/// or until no home offers it a binding or it is dropped, then takes one that it has not tried, if possible one that no
+/// task has; a slot of the Linguistic split keeps its phenomenon for a few templates, then takes its next. Where homes
+/// are given (Resources::homes), what they have is all there is: a slot passes over templates that no home offers a
+/// binding, without a candidate, until all had their turn.
 ///
 /// Plans depend on the configuration and on the earlier rounds only: equal rounds give equal plans for any threads.
 class CandidatePlanner {
@@ -42,7 +42,7 @@ class CandidatePlanner {
 
   /// The last candidate of the slot was rejected for what the next one of its template would be rejected for, too: the
   /// slot takes another template next.
-  void drop_template(int slot) { turn_of(slot).left = 0; }
+  void drop_template(int slot) { turn_of(slot).left = turn_of(slot).more = 0; }
 
   /// One candidate for each open slot, in ascending order. Rounds must be asked for in order of attempt, without gaps.
   std::vector<CandidatePlan> round(const std::vector<int>& open, int attempt, const Frequencies& taken);
@@ -51,6 +51,8 @@ class CandidatePlanner {
   const Frequencies& counts() const { return counts_; }
 
   static constexpr int kAttemptsPerTemplate = 3;
+  /// Further ones with a slot's first template while no task has it and no other slot tries it.
+  static constexpr int kAttemptsForUnused = 12;
   static constexpr int kTemplatesPerStyle = 4;
   /// The share of a slot's attempts after which tolerable tasks will do where usual ones were asked for.
   static constexpr double kPatience = 0.75;
@@ -60,6 +62,7 @@ class CandidatePlanner {
   struct Turn {
     std::size_t source = 0;
     int left = 0;                    // further attempts with it
+    int more = 0;                    // and these, while no task has it
     std::vector<std::size_t> tried;  // templates, the current one included
     int drawn = 0;                   // templates so far
   };
