@@ -60,6 +60,7 @@ class Author {
     speaks_of_one_ = std::any_of(words.begin(), words.end(), [](const Token& word) {
       return std::find(kOfOne.begin(), kOfOne.end(), word.text) != kOfOne.end();
     });
+    says_the_one_ = phrasing.find("eave the one ") != phrasing.npos;
     std::size_t at = 0;
     for (const Slot& slot : reading.slots) {
       const std::string_view before = phrasing.substr(at, slot.offset - at);
@@ -200,6 +201,8 @@ class Author {
     if (is_listed_ && !naming_.was_named(variable) && !thing.modifiers.empty() &&
         !thing.modifiers.back().object.empty())
       return std::nullopt;
+    // "Some bread. Leave the one on the table …"
+    if (says_the_one_ && slot.form == SlotForm::Indefinite && !naming_.is_countable(thing.noun)) return std::nullopt;
     if (slot.form == SlotForm::Slice && !of_slices(thing.noun)) return std::nullopt;
     const bool closed = before.ends_with("Close ") || before.ends_with("close ") || before.ends_with("shut ");
     if (closed && naming_.has_lid(thing.noun)) return std::nullopt;
@@ -254,6 +257,7 @@ class Author {
   const Specification& specification_;
   const NounTable& lexicon_;
   bool speaks_of_one_ = false;  // "the pants" would not go with "it"
+  bool says_the_one_ = false;   // the phrasing speaks of "the one" that stays
   bool another_ = false;        // the phrasing speaks of another
   bool said_all_ = false;       // "all the mugs" came before
   bool is_listed_ = false;      // another thing of a list follows

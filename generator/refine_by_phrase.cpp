@@ -26,6 +26,18 @@ std::optional<Predicate> only_state(const Formula& goal) {
   return asked.predicate;
 }
 
+/// Whether the goal names another thing of the same kind: "the butter knife and a utensil to eat with".
+bool is_like_another_part(const std::string& serving, const std::string& category, const Specification& plain,
+                          const Knowledge& knowledge) {
+  const auto* known = knowledge.find(serving);
+  return known != nullptr && !known->kinds.empty() &&
+         std::any_of(plain.binding.begin(), plain.binding.end(), [&](const auto& pair) {
+           const auto* other = pair.second == category ? nullptr : knowledge.find(pair.second);
+           return other != nullptr && other->movable && !other->kinds.empty() &&
+                  other->kinds.front() == known->kinds.front();
+         });
+}
+
 /// The categories that a phrase means, of those that could satisfy the goal; none when one of them is another part of
 /// the goal, since one word for two parts would be ambiguous, and none when the home has something that the phrase
 /// means and that cannot satisfy the goal: a bowl is a dish, too, where bread has to be on a plate. A wider name of
@@ -44,7 +56,7 @@ std::vector<std::string> served_by(const Alias& phrase, const Specification& pla
     const bool other_part =
         alias.category != category && std::any_of(plain.binding.begin(), plain.binding.end(),
                                                   [&](const auto& pair) { return pair.second == alias.category; });
-    if (other_part) return {};
+    if (other_part || is_like_another_part(alias.category, category, plain, knowledge)) return {};
     serving.push_back(alias.category);
   }
   if (phrase.kind == AliasKind::Hypernym && 2 * serving.size() < meant) return {};

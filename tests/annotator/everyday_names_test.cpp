@@ -8,6 +8,7 @@
 #include <map>
 #include <string>
 
+#include "annotator/authored.h"
 #include "annotator/everyday_phrases.h"
 #include "annotator/instruction.h"
 #include "annotator/noun_table.h"
@@ -155,6 +156,24 @@ TEST(Shakers, AreShakenOverFood) {
   const auto written = write_instruction(asked, committed_knowledge(Simulator::Behavior), Rng(1));
   ASSERT_TRUE(written) << format(written.error());
   EXPECT_TRUE(written->text.starts_with("Sprinkle ")) << written->text;
+}
+
+/// "Put some juice in the fridge. Leave the one on the table where it is."
+TEST(TheOneThatStays, IsNothingThatNobodyCounts) {
+  const Knowledge& knowledge = committed_knowledge(Simulator::Virtualhome);
+  const NounTable nouns(knowledge, committed_names());
+  const auto written = [&](const std::string& thing) {
+    Specification asked;
+    asked.binding = {{"A", thing}, {"B", "fridge"}, {"C", "kitchentable"}};
+    const std::string goal =
+        "(exists (?b - fridge) (exists (?a - THING) (and (at-end (inside ?a ?b)) (always (forall (?d - (THING :where "
+        "(exists (?c - kitchentable) (on ?d ?c)))) (exists (?e - kitchentable) (on ?d ?e)))))))";
+    asked.goal = *parse_formula("test", replace_all(goal, "THING", thing), FormulaUse::Goal);
+    return authored_text("Put {A:indefinite} {B:into}. Leave the one {C:on} where it is.", asked, nouns,
+                         {Style::Distractor, true, {}, {}}, HomeCounts(), Rng(1));
+  };
+  EXPECT_TRUE(written("carrot"));
+  EXPECT_FALSE(written("juice"));
 }
 
 /// "A slice of celery", not "of celery stalk".

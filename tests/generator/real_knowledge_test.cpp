@@ -187,6 +187,19 @@ TEST(RealKnowledge, NobodyLeavesOpenWhichThingIsPutAwayOrChanged) {
   }
 }
 
+/// "The butter knife and a utensil to eat with"
+TEST(RealKnowledge, NoPhraseStandsBesideTheNameOfAThingOfItsKind) {
+  const auto& knowledge = committed_knowledge(Simulator::Ai2thor);
+  const auto can_be_said = [&](const char* other) {
+    const auto plain = instantiate(library_template("place-two-kinds-on"), knowledge,
+                                   {{"A", "Fork"}, {"B", other}, {"C", "CounterTop"}});
+    EXPECT_TRUE(plain) << format(plain.error());
+    return plain && refine_linguistic(*plain, knowledge, offer_of_uses(), "function", Rng(1)).has_value();
+  };
+  EXPECT_TRUE(can_be_said("Plate"));
+  EXPECT_FALSE(can_be_said("ButterKnife"));
+}
+
 /// "I'm bored and want to read. Shut something to read."
 TEST(RealKnowledge, APhraseNamesOnlyWhatIsWantedForItsUse) {
   const auto& knowledge = committed_knowledge(Simulator::Ai2thor);
