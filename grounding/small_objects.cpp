@@ -22,6 +22,8 @@ constexpr double kWithLike = 3;  // of the weight of a place that has one of the
 constexpr int kReceptaclesPerTry = 3;
 constexpr double kSecond = 0.5;     // chance of a second thing where there is one already, to that of another category
 constexpr double kMostOften = 1.5;  // times the number of a thing in real homes, when more things are asked for
+constexpr double kRow = 0.6;        // chance that what is put away begins a row: plates in a cabinet, books on a shelf
+constexpr int kFewestInRow = 3, kMostInRow = 4;
 
 /// Of a category's things, one bool a room.
 std::vector<bool> usual_rooms(const Workspace& workspace, const Category& category) {
@@ -127,7 +129,8 @@ class Scatterer {
     return PlacementRequest{room, usual[rng.weighted(chances)], false};
   }
 
-  bool place(const PlacementRequest& request, Rng rng) {
+  /// On or in what, nullopt when it found no place.
+  std::optional<Host> place(const PlacementRequest& request, Rng rng) {
     const Node plain = make_node(workspace_, *request.category, kObjectSizeSpread, rng);
     std::vector<Host> hosts = hosts_in(request);
     std::erase_if(hosts, [&](const Host& host) { return holds_what_clashes(host.node, request.category->name); });
@@ -137,25 +140,46 @@ class Scatterer {
       const std::size_t at = rng.weighted(chances);
       const Host host = hosts[at];
       hosts.erase(hosts.begin() + static_cast<std::ptrdiff_t>(at));
-      PlacementOptions options;
-      options.draws = std::max(1, options_.draws_per_object / kReceptaclesPerTry);
-      options.settle = options_.settle;
-      Node node = plain;
-      draw_states(node, workspace_, {host.relation, workspace_.scene().nodes[host.node].category}, rng);
-      const FoundPlace place = find_place(workspace_, node, workspace_.scene().nodes.size(), host.relation, host.node,
-                                          options, rng.fork("place", static_cast<std::uint64_t>(choice)));
-      if (!place.pose) continue;
-      node.pose = *place.pose;
-      carried_[host.node].push_back(request.category->name);
-      const std::size_t added = workspace_.add(std::move(node));
-      if (host.relation == Predicate::Inside) inside_[added] = workspace_.scene().nodes[host.node].category;
-      enter(added);
-      return true;
+      if (put(plain, *request.category, host, rng, static_cast<std::uint64_t>(choice))) return host;
     }
-    return false;
+    return std::nullopt;
+  }
+
+  /// How many more of the category belong beside the one that was just put there: people keep plates and books in
+  /// rows where they put them away.
+  int draw_row(const Host& host, const Category& category, Rng& rng) const {
+    const auto* household = workspace_.household();
+    if (household == nullptr || !household->puts_away(workspace_.scene().nodes[host.node].category)) return 0;
+    const bool in_rows = household->is_a(category.name, "plate") || household->is_a(category.name, "book");
+    const auto& there = carried_.at(host.node);
+    if (!in_rows || !household->has_several(category.name)) return 0;
+    if (std::count(there.begin(), there.end(), category.name) > 1 || !rng.chance(kRow)) return 0;
+    return kFewestInRow - 1 + static_cast<int>(rng.below(kMostInRow - kFewestInRow + 1));
+  }
+  /// One more in that row.
+  bool continue_row(const Host& host, const Category& category, Rng rng) {
+    const Node plain = make_node(workspace_, category, kObjectSizeSpread, rng);
+    return put(plain, category, host, rng, 0);
   }
 
  private:
+  bool put(const Node& plain, const Category& category, const Host& host, Rng& rng, std::uint64_t choice) {
+    PlacementOptions options;
+    options.draws = std::max(1, options_.draws_per_object / kReceptaclesPerTry);
+    options.settle = options_.settle;
+    Node node = plain;
+    draw_states(node, workspace_, {host.relation, workspace_.scene().nodes[host.node].category}, rng);
+    const FoundPlace place = find_place(workspace_, node, workspace_.scene().nodes.size(), host.relation, host.node,
+                                        options, rng.fork("place", choice));
+    if (!place.pose) return false;
+    node.pose = *place.pose;
+    carried_[host.node].push_back(category.name);
+    const std::size_t added = workspace_.add(std::move(node));
+    if (host.relation == Predicate::Inside) inside_[added] = workspace_.scene().nodes[host.node].category;
+    enter(added);
+    return true;
+  }
+
   template <class Each>
   void for_each_rule(const Each& each) const {
     for (std::size_t room = 0; room < rooms_.size(); ++room) {
@@ -342,13 +366,20 @@ int scatter_objects(Workspace& workspace, const LayoutRecipe& recipe, const Scat
   Rng draw = rng.fork("wishes", 0);
   int placed = 0;
   std::uint64_t tries = 0;
+  const auto place = [&](const PlacementRequest& request) {
+    const auto host = scatterer.place(request, rng.fork("object", tries++));
+    if (!host) return;
+    ++placed;
+    for (int more = scatterer.draw_row(*host, *request.category, draw); more > 0 && placed < options.wanted; --more)
+      placed += scatterer.continue_row(*host, *request.category, rng.fork("object", tries++)) ? 1 : 0;
+  };
   for (const PlacementRequest& request : scatterer.draw_requests(draw)) {
-    if (placed < options.wanted && scatterer.place(request, rng.fork("object", tries++))) ++placed;
+    if (placed < options.wanted) place(request);
   }
   for (int more = 0; more < 2 * options.wanted && placed < options.wanted; ++more) {
     const auto request = scatterer.draw_request(draw);
     if (!request) break;
-    if (scatterer.place(*request, rng.fork("object", tries++))) ++placed;
+    place(*request);
   }
   return placed;
 }

@@ -341,6 +341,41 @@ TEST_P(EveryLibrary, HasWashingMachinesAndTowelRailsBesideABasin) {
   EXPECT_GE(towels.all, 20);
 }
 
+/// The most things of one category among those on or in a node.
+int most_alike(const Scene& home, const std::string& host, const Household& household) {
+  std::map<std::string, int> alike;
+  int most = 0;
+  for (const Edge& edge : home.edges) {
+    if (edge.to != host || (edge.relation != Predicate::On && edge.relation != Predicate::Inside)) continue;
+    const Node* thing = find_node(home, edge.from);
+    if (household.is_a(thing->category, "plate") || household.is_a(thing->category, "book"))
+      most = std::max(most, ++alike[thing->category]);
+  }
+  return most;
+}
+
+TEST_P(EveryLibrary, HasPlatesAndBooksInRowsWhereTheyArePutAwayAndFlatwareInKitchenDrawers) {
+  const Household& household = *style().recipe.household;
+  int rows = 0, kitchen_drawers = 0, with_cutlery = 0;
+  for (const Scene& home : homes()) {
+    for (const Node& node : home.nodes) {
+      if (node.movable || !household.puts_away(node.category)) continue;
+      rows += most_alike(home, node.id, household) >= 3 ? 1 : 0;
+      const Room* room = room_at(home, node.pose.position.head<2>());
+      if (household.kind_of(node.category) != "drawer" || room == nullptr || room->type != "kitchen") continue;
+      ++kitchen_drawers;
+      with_cutlery += std::any_of(home.edges.begin(), home.edges.end(), [&](const Edge& edge) {
+        return edge.relation == Predicate::Inside && edge.to == node.id &&
+               household.kind_of(find_node(home, edge.from)->category) == "cutlery";
+      });
+    }
+  }
+  EXPECT_GE(rows, static_cast<int>(homes().size() / 8));
+  if (GetParam() != Simulator::Ai2thor && GetParam() != Simulator::Habitat) return;  // the others have no such drawers
+  EXPECT_GE(kitchen_drawers, static_cast<int>(homes().size()));
+  EXPECT_GE(with_cutlery, 0.4 * kitchen_drawers) << "of " << kitchen_drawers << " drawers";
+}
+
 TEST_P(EveryLibrary, HasComputersOnDesksAndTablesBesideBeds) {
   const std::set<std::string> desks{"Desk", "desk"}, beds{"Bed", "bed"};
   const std::set<std::string> computers{"Desktop", "Laptop",  "computer",        "cpuscreen",
