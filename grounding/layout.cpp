@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <set>
+#include <utility>
 
 #include "grounding/floor_plan.h"
 #include "grounding/floor_things.h"
 #include "grounding/furnish.h"
 #include "grounding/furniture_position.h"
 #include "grounding/make_node.h"
+#include "grounding/reach.h"
 #include "grounding/reachability.h"
 #include "grounding/room_doors.h"
 #include "grounding/small_objects.h"
@@ -20,8 +23,9 @@ constexpr int kPlans = 400;           // floor plans tried
 constexpr int kFurnishings = 80;      // furnishings tried
 constexpr double kSizeSpread = 0.08;  // of furniture
 constexpr std::size_t kFewestRooms = 4;
-constexpr int kFewestSeats = 2;      // at a table
-constexpr double kLeastSpare = 0.4;  // of the furniture that need not stand, however few objects are asked for
+constexpr int kFewestSeats = 2;          // at a table
+constexpr std::uint64_t kExchanges = 7;  // times that what nobody gets at is exchanged; in the last it is left out
+constexpr double kLeastSpare = 0.4;      // of the furniture that need not stand, however few objects are asked for
 
 /// How many rooms of each type a home has so far.
 class RoomCounts {
@@ -210,6 +214,32 @@ std::string drop_unreached(Scene& furnished, const Workspace& workspace, const P
   return "";
 }
 
+/// Takes away what rests on or in a node, and then the node. The edges are as before.
+void remove_with_load(Workspace& workspace, const std::vector<std::string>& ids) {
+  std::set<std::string> gone(ids.begin(), ids.end());
+  for (bool more = true; more;) {
+    more = false;
+    for (const Edge& edge : workspace.scene().edges) {
+      const bool rests = edge.relation == Predicate::On || edge.relation == Predicate::Inside;
+      if (rests && gone.contains(edge.to)) more = gone.insert(edge.from).second || more;
+    }
+  }
+  for (const std::string& id : gone) {
+    if (const auto index = workspace.places().find(id)) workspace.remove(*index);
+  }
+}
+
+/// Ids of the small things that the agent cannot get at, behind doors that it opens too.
+std::vector<std::string> unreached_things(const Workspace& workspace, const Walk& walk, const Profile& profile) {
+  const Scene& scene = workspace.scene();
+  Reach reach(scene, workspace.places(), workspace.physics(), std::make_shared<const Walk>(walk), profile);
+  std::vector<std::string> unreached;
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    if (scene.nodes[i].movable && !reach.object(i)) unreached.push_back(scene.nodes[i].id);
+  }
+  return unreached;
+}
+
 }  // namespace
 
 Result<Scene> generate_layout(const LayoutRecipe& recipe, const Knowledge& knowledge, const Profile& profile,
@@ -259,7 +289,17 @@ Result<Scene> generate_layout(const LayoutRecipe& recipe, const Knowledge& knowl
     scatter.wanted -= put_on_floors(workspace, recipe, walk, low, options.settle, draw.fork("floors", 0));
     scatter_objects(workspace, recipe, scatter, draw.fork("objects", 0));
     workspace.read_edges();
-    const Walk between = walk_in(workspace.scene(), profile);
+    Walk between = walk_in(workspace.scene(), profile);
+    const std::size_t wanted = workspace.scene().nodes.size();
+    for (std::uint64_t round = 1; round <= kExchanges; ++round) {
+      const auto unreached = unreached_things(workspace, between, profile);
+      if (unreached.empty() && workspace.scene().nodes.size() == wanted) break;
+      remove_with_load(workspace, unreached);
+      scatter.wanted = static_cast<int>(wanted - workspace.scene().nodes.size());
+      if (round < kExchanges) scatter_objects(workspace, recipe, scatter, draw.fork("objects", round));
+      workspace.read_edges();
+      between = walk_in(workspace.scene(), profile);
+    }
     if (const auto room = unreached_room(workspace.scene(), between)) {
       obstacle = *room + " cannot be walked to between the things on the floor";
       continue;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <utility>
 
 #include "grounding/packing.h"
 #include "scene/edge_change.h"
@@ -171,7 +172,7 @@ bool shows_in(const Scene& scene, const std::vector<Vec2>& places, const Profile
 }  // namespace
 
 Reach::Reach(const Home& home, const Scene& scene, const GrownScene& grown, const Profile& profile)
-    : home_(home),
+    : home_(&home),
       scene_(scene),
       places_(grown.places),
       world_(grown.physics),
@@ -179,7 +180,11 @@ Reach::Reach(const Home& home, const Scene& scene, const GrownScene& grown, cons
       walk_(grown.walk),
       viewer_(*home.viewer) {}
 
-std::optional<std::string> Reach::unreached() const { return newly_unreached(home_, scene_, walk_); }
+Reach::Reach(const Scene& scene, const NodeIndex& places, const PhysicsWorld& world, std::shared_ptr<const Walk> walk,
+             const Profile& profile)
+    : home_(nullptr), scene_(scene), places_(places), world_(world), profile_(profile), walk_(std::move(walk)) {}
+
+std::optional<std::string> Reach::unreached() const { return newly_unreached(*home_, scene_, walk_); }
 
 bool Reach::room(const Room& room) const {
   const NavigationGrid& grid = walk_->grid;
@@ -211,14 +216,14 @@ bool Reach::shows(std::size_t index) {
   const auto doors = shut_around(index);
   bool shown = false;
   if (doors.empty()) {
-    shown = shows_in(scene_, standing_by(index), profile_, index, viewer_);
+    shown = shows_in(scene_, standing_by(index), profile_, index, *viewer_);
   } else {
     Opened& opened = with_open(doors);
     const Walk& around = walk(opened);
     const Pose before = opened.scene.nodes[index].pose;
     slide_along(opened, doors, index);
     const auto places = places_by(opened.scene.nodes[index], around, profile_);  // where it slid to
-    shown = shows_in(opened.scene, places, profile_, index, viewer_);
+    shown = shows_in(opened.scene, places, profile_, index, *viewer_);
     place(opened.scene, opened.world, index, before);
   }
   return shown_.emplace(index, shown).first->second;

@@ -27,6 +27,10 @@ std::optional<BodyId> what_blocks(const Scene& scene, const PhysicsWorld& world,
 class Reach {
  public:
   Reach(const Home& home, const Scene& scene, const GrownScene& grown, const Profile& profile);
+  /// Of a scene with its edges that did not grow out of a home, to ask for what can be reached: unreached() and shows()
+  /// are not to be asked of it.
+  Reach(const Scene& scene, const NodeIndex& places, const PhysicsWorld& world, std::shared_ptr<const Walk> walk,
+        const Profile& profile);
 
   /// Id of a room that the agent cannot walk to any more (newly_unreached).
   std::optional<std::string> unreached() const;
@@ -69,7 +73,7 @@ class Reach {
   Opened& with_open(const std::vector<std::size_t>& doors);
   void slide_along(Opened& opened, const std::vector<std::size_t>& doors, std::size_t index) const;
 
-  const Home& home_;
+  const Home* home_;  // nullptr for a scene of its own
   const Scene& scene_;
   const NodeIndex& places_;
   const PhysicsWorld& world_;
@@ -81,7 +85,7 @@ class Reach {
   /// A place without a spot that is free of what is fixed, for things of one form: target, inside, digest, size.
   using Full = std::tuple<std::size_t, bool, std::uint64_t, std::uint64_t, double, double, double>;
   std::set<Full> full_;
-  Viewer viewer_;
+  std::optional<Viewer> viewer_;  // of a home
 };
 
 }  // namespace unietp

@@ -84,8 +84,7 @@ TEST_P(EveryWalk, FromTheEntranceToEveryRoomAndReceptacleOfThirtyHomesHasNoFaile
   EXPECT_GT(rooms, 100);
   EXPECT_GT(furniture, 500);
   EXPECT_GT(things, 200);
-  for (const std::string& failed : failed_at_things) std::printf("  %s\n", failed.c_str());
-  EXPECT_LE(static_cast<int>(failed_at_things.size()), things / 35);
+  EXPECT_THAT(failed_at_things, ::testing::IsEmpty());
 }
 
 INSTANTIATE_TEST_SUITE_P(Simulators, EveryWalk, ::testing::ValuesIn(kSimulators),
