@@ -145,12 +145,12 @@ class Scatterer {
     return std::nullopt;
   }
 
-  /// How many more of the category belong beside the one that was just put there: people keep tableware and books in
+  /// How many more of the category belong beside the one that was just put there: people keep plates and books in
   /// rows where they put them away.
   int draw_row(const Host& host, const Category& category, Rng& rng) const {
     const auto* household = workspace_.household();
     if (household == nullptr || !household->puts_away(workspace_.scene().nodes[host.node].category)) return 0;
-    const bool in_rows = household->is_a(category.name, "tableware") || household->is_a(category.name, "book");
+    const bool in_rows = household->is_a(category.name, "plate") || household->is_a(category.name, "book");
     const auto& there = carried_.at(host.node);
     if (!in_rows || !household->has_several(category.name)) return 0;
     if (std::count(there.begin(), there.end(), category.name) > 1 || !rng.chance(kRow)) return 0;

@@ -32,7 +32,7 @@ class Ground : public ::testing::Test {
   void SetUp() override {
     style_ = style_of(Simulator::Ai2thor);
     ASSERT_TRUE(style_);
-    auto home = home_of(*style_, 14);
+    auto home = home_of(*style_, 16);
     ASSERT_TRUE(home) << format(home.error());
     home_ = std::move(*home);
   }
