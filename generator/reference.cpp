@@ -1,7 +1,6 @@
 #include "generator/reference.h"
 
 #include <algorithm>
-#include <array>
 
 #include "akb/attributes.h"
 #include "scene/states.h"
@@ -27,24 +26,6 @@ bool is_free(const StateGroup& group, const GoalVariable& variable, const Specif
   });
 }
 
-/// Whether people call such a thing raw or cooked: meat, eggs and vegetables, not bread.
-bool is_cooked_first(const Category& category) {
-  constexpr std::array<std::string_view, 4> kCooked{"raw_meat", "raw_egg", "cooking_vegetable", "dough"};
-  return std::any_of(category.kinds.begin(), category.kinds.end(), [&](const std::string& kind) {
-    return std::find(kCooked.begin(), kCooked.end(), kind) != kCooked.end();
-  });
-}
-
-/// Whether one sees, and says, that such a thing is on: not of a soap dispenser or a sink.
-bool is_seen_running(const Category& category) {
-  constexpr std::array<std::string_view, 12> kRuns{
-      "electronics", "kitchen_machine", "television", "room_lamp",      "room_machine", "oven",
-      "stove",       "microwave",       "toaster",    "coffee_machine", "dishwasher",   "washer"};
-  return std::any_of(category.kinds.begin(), category.kinds.end(), [&](const std::string& kind) {
-    return std::find(kRuns.begin(), kRuns.end(), kind) != kRuns.end();
-  });
-}
-
 std::vector<Reference> by_state(const GoalVariable& variable, const Specification& plain, const Knowledge& knowledge) {
   std::vector<Reference> found;
   const auto* category = knowledge.find(variable.category);
@@ -53,13 +34,14 @@ std::vector<Reference> by_state(const GoalVariable& variable, const Specificatio
     for (const PredicateInfo& state : all_predicates()) {
       if (!state.telling || !in_group(group, state.predicate) || !shows(plain.simulator, state.predicate)) continue;
       if (state.predicate == Predicate::PowerOn && category != nullptr && !category->kinds.empty() &&
-          !is_seen_running(*category))
+          !has_trait(*category, KindTrait::SeenRunning))
         continue;
       // "The tomato in the fridge", not "the cold tomato".
       if (state.predicate == Predicate::Hot || state.predicate == Predicate::Cool) continue;
       const bool cooking = state.predicate == Predicate::Cooked || state.predicate == Predicate::Raw ||
                            state.predicate == Predicate::Burnt;
-      if (cooking && category != nullptr && !category->kinds.empty() && !is_cooked_first(*category)) continue;
+      if (cooking && category != nullptr && !category->kinds.empty() && !has_trait(*category, KindTrait::RawOrCooked))
+        continue;
       found.push_back({Referring::ByState, atom(state.predicate, {variable.variable}), {}});
     }
   }
@@ -70,9 +52,7 @@ std::vector<Reference> by_size(const GoalVariable& variable, const Knowledge& kn
   const auto* category = knowledge.find(variable.category);
   std::vector<Reference> found;
   if (category == nullptr || !category->countable || !comes_in_sizes(*category, knowledge)) return found;
-  const auto& kinds = category->kinds;
-  if (std::find(kinds.begin(), kinds.end(), "garment") != kinds.end())
-    return found;  // nobody picks out "the largest pants"
+  if (has_trait(*category, KindTrait::NotBySize)) return found;
   for (const char* size : {"large", "small"}) {
     found.push_back({Referring::BySize, atom_with_symbol(Predicate::Size, variable.variable, size), {}});
   }
@@ -102,8 +82,7 @@ void add_values(const GoalVariable& variable, Predicate predicate, const std::ve
 std::vector<Reference> by_attribute(const GoalVariable& variable, const Knowledge& knowledge) {
   std::vector<Reference> found;
   const auto* category = knowledge.find(variable.category);
-  const auto is_sink = [](const std::string& kind) { return kind == "sink"; };  // told by its room
-  if (category == nullptr || std::any_of(category->kinds.begin(), category->kinds.end(), is_sink)) return found;
+  if (category == nullptr || has_trait(*category, KindTrait::ToldByRoom)) return found;
   add_values(variable, Predicate::Color, category->colors, found);
   add_values(variable, Predicate::Material, category->materials, found);
   return found;
