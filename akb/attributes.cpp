@@ -37,13 +37,7 @@ bool distinguishable(std::string_view one, std::string_view other) {
 }
 
 bool comes_in_sizes(const Category& category, const Knowledge& knowledge) {
-  // Nobody tells compact discs, keys, phones, newspapers or eggs apart by their size, whatever their models.
-  constexpr std::array<std::string_view, 8> kOneSize{"game",       "pocket_thing", "phone",      "gadget",
-                                                     "stationery", "cutlery",      "periodical", "raw_egg"};
-  if (std::any_of(category.kinds.begin(), category.kinds.end(), [&](const std::string& kind) {
-        return std::find(kOneSize.begin(), kOneSize.end(), kind) != kOneSize.end();
-      }))
-    return false;
+  if (has_trait(category, KindTrait::OneSize)) return false;
   double least = 0, most = 0;
   for (const Asset* asset : knowledge.assets_of(category.name)) {
     if (!usable(*asset, category)) continue;

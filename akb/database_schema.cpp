@@ -16,7 +16,8 @@ CREATE TABLE evidence(simulator INTEGER NOT NULL, id INTEGER NOT NULL, source IN
 CREATE TABLE category_row(simulator INTEGER NOT NULL, name INTEGER NOT NULL, display TEXT NOT NULL,
   plural TEXT NOT NULL, synset TEXT NOT NULL, countable INTEGER NOT NULL, movable INTEGER NOT NULL,
   archetype INTEGER NOT NULL, width REAL NOT NULL, depth REAL NOT NULL, height REAL NOT NULL, mass REAL NOT NULL,
-  rooms INTEGER NOT NULL, colours INTEGER NOT NULL, materials INTEGER NOT NULL, kinds INTEGER NOT NULL, evidence INTEGER NOT NULL,
+  rooms INTEGER NOT NULL, colours INTEGER NOT NULL, materials INTEGER NOT NULL, kinds INTEGER NOT NULL,
+  traits INTEGER NOT NULL, evidence INTEGER NOT NULL,
   size_evidence INTEGER NOT NULL, mass_evidence INTEGER NOT NULL, synset_evidence INTEGER NOT NULL, PRIMARY KEY(simulator, name)) STRICT, WITHOUT ROWID;
 CREATE TABLE affordance_row(simulator INTEGER NOT NULL, category INTEGER NOT NULL, affordance INTEGER NOT NULL,
   evidence INTEGER NOT NULL, PRIMARY KEY(simulator, category, affordance)) STRICT, WITHOUT ROWID;
@@ -37,6 +38,7 @@ CREATE VIEW sourced AS SELECT e.simulator AS simulator, e.id AS id, t.text AS so
 CREATE VIEW category AS SELECT s.name AS simulator, n.text AS name, r.display AS display, r.plural AS plural,
   r.synset AS synset, r.countable AS countable, r.movable AS movable, a.text AS archetype, r.width AS width,
   r.depth AS depth, r.height AS height, r.mass AS mass, o.text AS rooms, c.text AS colours, m.text AS materials, k.text AS kinds,
+  q.text AS traits,
   e.source AS source, e.confidence AS confidence, ze.source AS size_source, ze.confidence AS size_confidence,
   me.source AS mass_source, me.confidence AS mass_confidence, ye.source AS synset_source,
   ye.confidence AS synset_confidence
@@ -47,6 +49,7 @@ CREATE VIEW category AS SELECT s.name AS simulator, n.text AS name, r.display AS
   JOIN text c ON c.simulator = r.simulator AND c.id = r.colours
   JOIN text m ON m.simulator = r.simulator AND m.id = r.materials
   JOIN text k ON k.simulator = r.simulator AND k.id = r.kinds
+  JOIN text q ON q.simulator = r.simulator AND q.id = r.traits
   JOIN sourced e ON e.simulator = r.simulator AND e.id = r.evidence
   JOIN sourced ze ON ze.simulator = r.simulator AND ze.id = r.size_evidence
   JOIN sourced me ON me.simulator = r.simulator AND me.id = r.mass_evidence

@@ -5,7 +5,10 @@
 #include "akb/import_common.h"
 #include "akb/importers.h"
 #include "akb/metadata_json.h"
+#include "akb/row_reader.h"
+#include "akb/tables.h"
 #include "akb/upstream_sizes.h"
+#include "core/files.h"
 
 namespace unietp {
 namespace {
@@ -123,7 +126,40 @@ void add_categories(TableBuilder& builder, const Json& types, const std::vector<
   for (const auto& asset : assets) builder.model(asset);
 }
 
-void add_affordances(TableBuilder& builder, const Json& types, const Json& alfred) {
+/// A row of curated/ai2thor/appliances.csv: what a tool does to the types of a list of the metadata.
+struct Appliance {
+  std::string list, tool;
+  Treatment treatment = Treatment::Heats;
+  std::vector<EffectNeed> needs;
+  double confidence = 1;
+};
+
+/// Errors: the first of the table.
+Result<std::vector<Appliance>> read_appliances(const std::filesystem::path& path) {
+  const auto text = read_file(path);
+  if (!text) return text.error();
+  std::vector<Error> errors;
+  std::vector<std::string> names;
+  for (const TreatmentInfo& treatment : all_treatments()) names.emplace_back(treatment.name);
+  RowReader row(path.string(), *text, {"list", "tool", "effect", "needs", "confidence", "source"}, errors);
+  std::vector<Appliance> appliances;
+  for (const auto& cells : row.rows()) {
+    row.at(cells);
+    appliances.push_back({row.required("list"), row.required("tool"),
+                          row.value_of("effect", names, "effect", treatment_named), read_needs(row),
+                          row.number("confidence", 0, 1, false)});
+    (void)row.required("source");
+  }
+  if (!errors.empty()) return errors.front();
+  return appliances;
+}
+
+void add_affordances(TableBuilder& builder, const Json& types, const Json& alfred,
+                     const std::vector<Appliance>& appliances) {
+  const auto cools = [&](const std::string& type) {
+    return std::any_of(appliances.begin(), appliances.end(),
+                       [&](const Appliance& one) { return one.tool == type && one.treatment == Treatment::Cools; });
+  };
   for (const auto& [type, row] : types.items()) {
     for (const auto& property : words(row.at("actionable_properties"))) afford(builder, type, property);
     // A receptacle that is hollow or slides out holds things inside: a toaster, a drawer.
@@ -134,7 +170,7 @@ void add_affordances(TableBuilder& builder, const Json& types, const Json& alfre
         archetype == Archetype::Vessel || (archetype == Archetype::Drawers && builder.has(type, "openable"));
     if (hollow && listed(row, "actionable_properties", "receptacle")) builder.afford(type, "container", kTypes, 0.9);
     if (listed(row, "materials_properties", "changeTemp")) {
-      builder.afford(type, type == "Fridge" ? "cold_source" : "heat_source", kTypes, 1);
+      builder.afford(type, cools(type) ? "cold_source" : "heat_source", kTypes, 1);
     }
   }
   for (const auto& type : words(alfred.at("VAL_ACTION_OBJECTS").at("Heatable"))) {
@@ -181,20 +217,22 @@ void add_placements(TableBuilder& builder, const Json& types, const Json& recept
   builder.place_by_kind(0.05);
 }
 
-/// What follows from lists of the metadata; the other effects stand in curated/ai2thor/effect.csv.
-void add_effects(TableBuilder& builder, const Json& types, const Json& alfred) {
+/// What follows from lists of the metadata, of ALFRED's and of what gets dirty; the other effects stand in
+/// curated/ai2thor/effect.csv.
+void add_effects(TableBuilder& builder, const Json& types, const Json& alfred,
+                 const std::vector<Appliance>& appliances) {
   const auto& actions = alfred.at("VAL_ACTION_OBJECTS");
-  const auto add = [&](const std::string& tool, Treatment treatment, const std::string& target,
-                       std::vector<EffectNeed> needs, double confidence) {
-    builder.effect({tool, treatment, target, "", 0, std::move(needs), {kAlfred, confidence}});
-  };
-  for (const auto& type : words(actions.at("Heatable")))
-    add("Microwave", Treatment::Heats, type, {EffectNeed::Closed, EffectNeed::PowerOn, EffectNeed::Inside}, 1);
-  for (const auto& type : words(actions.at("Coolable")))
-    add("Fridge", Treatment::Cools, type, {EffectNeed::Closed, EffectNeed::Inside}, 1);
-  for (const auto& [type, row] : types.items()) {
-    if (builder.has(type, "pickupable") && builder.has(type, "dirtyable"))
-      add("Sink", Treatment::Washes, type, {EffectNeed::UnderTap}, 0.9);
+  for (const Appliance& one : appliances) {
+    const auto add = [&](const std::string& target) {
+      builder.effect({one.tool, one.treatment, target, "", 0, one.needs, {kAlfred, one.confidence}});
+    };
+    if (actions.contains(one.list)) {
+      for (const auto& type : words(actions.at(one.list))) add(type);
+      continue;
+    }
+    for (const auto& [type, row] : types.items()) {
+      if (builder.has(type, "pickupable") && builder.has(type, one.list)) add(type);
+    }
   }
 }
 
@@ -217,13 +255,16 @@ Result<Tables> import_ai2thor(const std::filesystem::path& upstream, const std::
   const auto built_in = read_name_texts(curated / "ai2thor" / "built_in.csv");
   if (!built_in) return built_in.error();
 
+  const auto appliances = read_appliances(curated / "ai2thor" / "appliances.csv");
+  if (!appliances) return appliances.error();
+
   TableBuilder builder(Simulator::Ai2thor, curated);
   builder.refuse(absurd);
   const auto facts = facts_of(*scenes);
   add_categories(builder, *types, *assets, facts);
-  add_affordances(builder, *types, *alfred);
+  add_affordances(builder, *types, *alfred, *appliances);
   add_placements(builder, *types, *receptacles, facts, *built_in);
-  add_effects(builder, *types, *alfred);
+  add_effects(builder, *types, *alfred, *appliances);
   return builder.finish();
 }
 

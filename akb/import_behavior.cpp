@@ -60,9 +60,9 @@ void add_aliases(TableBuilder& builder, const Metadata& metadata, const behavior
 }
 
 /// All models, but for the shells of BEHAVIOR's own buildings.
-void add_models(TableBuilder& builder, const Metadata& metadata) {
+void add_models(TableBuilder& builder, const Metadata& metadata, const NameTexts& shells) {
   for (const auto& name : builder.names()) {
-    if (name == "walls" || name == "floors" || name == "ceilings") continue;
+    if (shells.contains(name)) continue;
     for (const auto& [model, size] : metadata.categories.at(name).models) {
       builder.model({model, name, size, {behavior::kInventory, 1}});
     }
@@ -80,8 +80,16 @@ Result<Tables> import_behavior(const std::filesystem::path& upstream, const std:
   if (!transitions) return transitions.error();
   const auto metadata = behavior::read_behavior(folder, curated / "behavior", *annotations);
   if (!metadata) return metadata.error();
-  const auto squeezed = read_name_texts(curated / "behavior" / "squeezed.csv");
-  if (!squeezed) return squeezed.error();
+  behavior::SubstanceFacts substances;
+  NameTexts shells;
+  for (const auto& [name, texts] : {std::pair<const char*, NameTexts*>{"squeezed.csv", &substances.squeezed},
+                                    {"substance_words.csv", &substances.words},
+                                    {"soaps.csv", &substances.soaps},
+                                    {"shells.csv", &shells}}) {
+    auto read = read_name_texts(curated / "behavior" / name);
+    if (!read) return read.error();
+    *texts = std::move(*read);
+  }
   const auto wordnet = WordNetWords::read(WordNetWords::kFolder);
   if (!wordnet) return wordnet.error();
 
@@ -108,8 +116,8 @@ Result<Tables> import_behavior(const std::filesystem::path& upstream, const std:
   builder.kept_like(words.like());
   behavior::add_affordances(builder, *metadata, *transitions);
   builder.place_by_kind(1);
-  behavior::add_effects(builder, *metadata, *annotations, *transitions, *squeezed);
-  add_models(builder, *metadata);
+  behavior::add_effects(builder, *metadata, *annotations, *transitions, substances);
+  add_models(builder, *metadata, shells);
   add_aliases(builder, *metadata, words, *wordnet, phrases);
   return builder.finish();
 }

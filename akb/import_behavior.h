@@ -104,8 +104,13 @@ std::map<std::string, Pieces> pieces_of(const TableBuilder& builder, const Metad
 
 /// Adds the affordances that annotations and models show, then those by archetype. Call it after all categories.
 void add_affordances(TableBuilder& builder, const Metadata& metadata, const nlohmann::json& transitions);
-/// `squeezed`: bottles that apply what is in them, though no model says so.
+/// What the annotations do not tell of substances.
+struct SubstanceFacts {
+  NameTexts squeezed;  // bottles that apply what is in them, though no model says so
+  NameTexts words;     // what we call a substance that BEHAVIOR calls otherwise
+  NameTexts soaps;     // cleaners that are applied to what is washed up
+};
 void add_effects(TableBuilder& builder, const Metadata& metadata, const nlohmann::json& annotations,
-                 const nlohmann::json& transitions, const NameTexts& squeezed);
+                 const nlohmann::json& transitions, const SubstanceFacts& known);
 
 }  // namespace unietp::behavior

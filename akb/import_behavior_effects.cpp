@@ -38,10 +38,10 @@ double warmed_to(const Json& source) {
 void add_heat(TableBuilder& builder, const Metadata& metadata, const Json& annotations, const std::string& tool,
               const Json& source) {
   if (!builder.is_kind(tool, KindGroup::Heater) || !builder.has(tool, "switchable")) return;
-  const bool flame = builder.is_kind(tool, "stove");
-  const auto ware = flame                                ? KindGroup::StoveWare
-                    : builder.is_kind(tool, "microwave") ? KindGroup::MicrowaveWare
-                                                         : KindGroup::OvenWare;
+  const bool flame = builder.is_kind(tool, KindGroup::OpenFlame);
+  const auto ware = flame                                         ? KindGroup::StoveWare
+                    : builder.is_kind(tool, KindGroup::Microwave) ? KindGroup::MicrowaveWare
+                                                                  : KindGroup::OvenWare;
   for (const auto& target : builder.names()) {
     if (!builder.has(target, "pickupable")) continue;
     const auto add = [&](Treatment treatment) {
@@ -66,7 +66,7 @@ void add_cold(TableBuilder& builder, const std::string& tool, const Json& source
     };
     if (builder.has(target, "heatable")) add(Treatment::Cools);
     // The annotations let fridges freeze, too.
-    const bool freezes = builder.is_kind(tool, "freezer") && source.value("temperature", 0.0) < 0;
+    const bool freezes = builder.is_kind(tool, KindGroup::Freezer) && source.value("temperature", 0.0) < 0;
     if (freezes && builder.has(target, "freezable")) add(Treatment::Freezes);
   }
 }
@@ -91,12 +91,12 @@ void add_washing(TableBuilder& builder) {
       };
       const bool cloth = builder.is_kind(target, KindGroup::Laundry);
       const bool dirty = builder.has(target, "dirtyable");
-      if (builder.is_kind(tool, "sink")) {
+      if (builder.is_kind(tool, KindGroup::UnderTap)) {
         if (dirty) add(Treatment::Washes, "", {EffectNeed::UnderTap});
         if (builder.has(target, "fillable")) add(Treatment::Fills, "water", {EffectNeed::UnderTap});
         if (builder.has(target, "fillable")) add(Treatment::Drains, "", {});
         if (builder.has(target, "soakable")) add(Treatment::Soaks, "water", {EffectNeed::UnderTap});
-      } else if (dirty && cloth == builder.is_kind(tool, "washer")) {
+      } else if (dirty && cloth == builder.is_kind(tool, KindGroup::WashesLaundry)) {
         add(Treatment::Washes, "", {EffectNeed::Closed, EffectNeed::PowerOn, EffectNeed::Inside});
       }
     }
@@ -121,7 +121,7 @@ void add_slicing(TableBuilder& builder, const Metadata& metadata, const Json& tr
     const bool food = builder.is_kind(whole, KindGroup::Food);
     for (const auto& tool : builder.names()) {
       if (!metadata.categories.at(tool).properties.contains("slicer") || !builder.has(tool, "pickupable")) continue;
-      if (builder.is_kind(tool, "cutlery") != food) continue;
+      if (builder.is_kind(tool, KindGroup::KitchenBlade) != food) continue;
       builder.effect(
           {tool, Treatment::Slices, whole, pieces.category, pieces.amount, {EffectNeed::Held}, {kSlicing, 1}});
     }
@@ -129,24 +129,26 @@ void add_slicing(TableBuilder& builder, const Metadata& metadata, const Json& tr
 }
 
 /// What a tool applies or pours: by its annotation, or for a bottle of something with a model that pours, by its name.
-std::string substance_of(const std::string& tool, const Facts& facts, const NameTexts& squeezed) {
+std::string substance_of(const std::string& tool, const Facts& facts, const SubstanceFacts& known) {
   std::string substance = facts.substances.empty() ? "" : *facts.substances.begin();
   const bool pours = facts.links.contains("fluidsource") || facts.links.contains("particleapplier");
-  if (substance.empty() && (pours || squeezed.contains(tool)) && tool.starts_with("bottle_of_")) {
+  if (substance.empty() && (pours || known.squeezed.contains(tool)) && tool.starts_with("bottle_of_")) {
     substance = replace_all(tool.substr(std::string_view("bottle_of_").size()), "_", " ");
   }
-  return substance == "catsup" ? "ketchup" : substance;
+  const auto word = known.words.find(substance);
+  return word == known.words.end() ? substance : word->second;
 }
 
 /// Sauces and seasonings are spread over dishes and food of the usual kinds, soaps over what is washed up, other
 /// cleaners over what is wiped.
 void add_spreading(TableBuilder& builder, const Metadata& metadata, const std::set<std::string>& usual,
-                   const NameTexts& squeezed) {
+                   const SubstanceFacts& known) {
   for (const auto& tool : builder.names()) {
-    const auto substance = substance_of(tool, metadata.categories.at(tool), squeezed);
-    const bool seasons = builder.is_kind(tool, KindGroup::Seasoning), cleans = builder.is_kind(tool, "cleaning_bottle");
+    const auto substance = substance_of(tool, metadata.categories.at(tool), known);
+    const bool seasons = builder.is_kind(tool, KindGroup::Seasoning),
+               cleans = builder.is_kind(tool, KindGroup::Cleaner);
     if (substance.empty() || !builder.has(tool, "pickupable") || (!seasons && !cleans)) continue;
-    const bool soap = substance.ends_with("soap") || substance == "detergent";
+    const bool soap = known.soaps.contains(substance);
     const auto kinds = seasons ? KindGroup::Seasoned : soap ? KindGroup::WashedUp : KindGroup::Cleaned;
     for (const auto& target : builder.names()) {
       if (!usual.contains(target) || target == tool || !builder.is_kind(target, kinds)) continue;
@@ -162,9 +164,9 @@ void add_spreading(TableBuilder& builder, const Metadata& metadata, const std::s
 /// Coffee machines fill the cup that stands under them, here on them.
 void add_coffee(TableBuilder& builder) {
   for (const auto& tool : builder.names()) {
-    if (!builder.is_kind(tool, "coffee_machine") || !builder.has(tool, "switchable")) continue;
+    if (!builder.is_kind(tool, KindGroup::Brewer) || !builder.has(tool, "switchable")) continue;
     for (const auto& target : builder.names()) {
-      if (!builder.is_kind(target, "cup") || !builder.has(target, "fillable")) continue;
+      if (!builder.is_kind(target, KindGroup::Brewed) || !builder.has(target, "fillable")) continue;
       builder.effect(
           {tool, Treatment::Fills, target, "coffee", 0, {EffectNeed::PowerOn, EffectNeed::On}, {"curated", 0.9}});
     }
@@ -174,7 +176,7 @@ void add_coffee(TableBuilder& builder) {
 }  // namespace
 
 void add_effects(TableBuilder& builder, const Metadata& metadata, const Json& annotations, const Json& transitions,
-                 const NameTexts& squeezed) {
+                 const SubstanceFacts& known) {
   const auto listed = builder.curated_names();
   const std::set<std::string> usual(listed.begin(), listed.end());
   add_temperature(builder, metadata, annotations);
@@ -182,7 +184,7 @@ void add_effects(TableBuilder& builder, const Metadata& metadata, const Json& an
   add_coffee(builder);
   add_wiping(builder, usual);
   add_slicing(builder, metadata, transitions);
-  add_spreading(builder, metadata, usual, squeezed);
+  add_spreading(builder, metadata, usual, known);
 }
 
 }  // namespace unietp::behavior

@@ -93,7 +93,6 @@ class TableBuilder {
   const Category* find(const std::string& name) const;
   /// What kind of thing the category is (Word::kind); "" when no word says.
   std::string kind(const std::string& name) const;
-  bool is_kind(const std::string& name, std::string_view wanted) const { return kind(name) == wanted; }
   bool is_kind(const std::string& name, KindGroup group) const { return groups_.at(group).contains(kind(name)); }
   /// All categories that were added, sorted.
   std::vector<std::string> names() const;

@@ -67,7 +67,7 @@ void add_affordances(TableBuilder& builder, const Lists& lists) {
   for (const auto& name : builder.names()) {
     const auto& c = *builder.find(name);
     if (c.movable) builder.afford(name, "pickupable", lists.objects.contains(name) ? kOvmm : "curated", 1);
-    if (lists.receptacles.contains(name) && builder.kind(name) != "toilet") {
+    if (lists.receptacles.contains(name) && !builder.is_kind(name, KindGroup::NoReceptacle)) {
       const bool hollow = c.archetype == Archetype::Cabinet || c.archetype == Archetype::Basin ||
                           c.archetype == Archetype::Vessel || c.archetype == Archetype::Lidded;
       builder.afford(name, hollow ? "container" : "receptacle", kOvmm, 1);

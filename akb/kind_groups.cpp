@@ -10,9 +10,11 @@ namespace unietp {
 namespace {
 
 constexpr std::array<std::string_view, kKindGroupCount> kKindGroups{
-    "food",     "heated_vessel", "stove_ware", "oven_ware",     "microwave_ware", "filled",         "dirtied",
-    "soaked",   "heater",        "cooler",     "washer",        "laundry",        "worn_or_spread", "seasoning",
-    "seasoned", "washed_up",     "cleaned",    "holds_nothing", "flat_food"};
+    "food",           "heated_vessel", "stove_ware", "oven_ware", "microwave_ware", "filled",
+    "dirtied",        "soaked",        "heater",     "cooler",    "washer",         "laundry",
+    "worn_or_spread", "seasoning",     "seasoned",   "washed_up", "cleaned",        "holds_nothing",
+    "flat_food",      "open_flame",    "microwave",  "freezer",   "under_tap",      "washes_laundry",
+    "kitchen_blade",  "cleaner",       "brewer",     "brewed",    "no_receptacle"};
 
 }  // namespace
 

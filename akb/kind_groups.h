@@ -33,9 +33,19 @@ enum class KindGroup : std::uint8_t {
   Cleaned,        // a cleaner other than soap is applied to it
   HoldsNothing,   // nothing is put on or in it, whatever its shape
   FlatFood,       // nothing is put on it, though it is flat
+  OpenFlame,      // a heater on which food burns
+  Microwave,      // a heater for microwave ware
+  Freezer,        // a cooler that also freezes
+  UnderTap,       // a washer whose tap washes, fills and soaks what is in it
+  WashesLaundry,  // a washer of laundry alone
+  KitchenBlade,   // a blade that cuts food, and nothing else
+  Cleaner,        // applies a substance that cleans
+  Brewer,         // fills what stands on it with coffee
+  Brewed,         // a brewer fills it
+  NoReceptacle,   // holds nothing, though a simulator lists it among its receptacles
 };
 /// Number of groups.
-inline constexpr std::size_t kKindGroupCount = static_cast<std::size_t>(KindGroup::FlatFood) + 1;
+inline constexpr std::size_t kKindGroupCount = static_cast<std::size_t>(KindGroup::NoReceptacle) + 1;
 std::string_view name_of(KindGroup group);  // "heated_vessel"
 
 /// The kinds of each group.

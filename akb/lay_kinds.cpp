@@ -76,11 +76,24 @@ bool has(const std::vector<std::string>& list, const std::string& word) {
   return std::find(list.begin(), list.end(), word) != list.end();
 }
 
-bool serves(const Category& category, const FunctionRow& function) {
-  if (names_category(function.except, category)) return false;
-  return names_category(function.also, category) ||
-         std::any_of(function.kinds.begin(), function.kinds.end(),
-                     [&](const auto& kind) { return has(category.kinds, kind); });
+template <class Row>
+bool serves(const Category& category, const Row& row) {
+  if (names_category(row.except, category)) return false;
+  return names_category(row.also, category) ||
+         std::any_of(row.kinds.begin(), row.kinds.end(), [&](const auto& kind) { return has(category.kinds, kind); });
+}
+
+/// Reports words of the columns kinds, also and except that name no kind or no category.
+void check_words(RowReader& row, const std::map<std::string, std::vector<std::string>>& kinds,
+                 const std::vector<Tables>& all) {
+  for (const auto& kind : row.list("kinds")) {
+    if (!kinds.contains(kind)) row.fail("kinds", "'" + kind + "' is not a kind of kinds.csv");
+  }
+  for (const auto* column : {"also", "except"}) {
+    for (const auto& word : row.list(column)) {
+      if (!names_any_category(word, all)) row.fail(column, "no simulator has a category that is called '" + word + "'");
+    }
+  }
 }
 
 /// Whether the tables have the same phrase of the category, from another source.
@@ -107,30 +120,55 @@ std::vector<FunctionRow> read_functions(const fs::path& file,
     for (const auto& phrase : function.phrases) {
       if (!seen.insert(phrase).second) row.fail("phrases", "'" + phrase + "' stands twice");
     }
-    for (const auto& kind : function.kinds) {
-      if (!kinds.contains(kind)) row.fail("kinds", "'" + kind + "' is not a kind of kinds.csv");
-    }
+    check_words(row, kinds, all);
     const bool served = std::any_of(all.begin(), all.end(), [&](const Tables& tables) {
       return std::any_of(tables.categories.begin(), tables.categories.end(),
                          [&](const Category& category) { return serves(category, function); });
     });
-    for (const auto* column : {"also", "except"}) {
-      for (const auto& word : row.list(column)) {
-        if (!names_any_category(word, all))
-          row.fail(column, "no simulator has a category that is called '" + word + "'");
-      }
-    }
     if (row.sound() && !served) row.fail("function", "no simulator has a category that serves as this");
     if (row.sound()) functions.push_back(std::move(function));
   }
   return functions;
 }
 
+/// A row of kind_traits.csv.
+struct TraitRow {
+  KindTrait trait = KindTrait::OneSize;
+  std::vector<std::string> kinds, also, except;
+};
+
+/// Every trait has exactly one row, but where there is no table.
+std::vector<TraitRow> read_traits(const fs::path& file, const std::map<std::string, std::vector<std::string>>& kinds,
+                                  const std::vector<Tables>& all, std::vector<Error>& errors) {
+  const auto text = text_of(file, errors);
+  if (!text) return {};
+  std::vector<std::string> names;
+  for (const KindTrait trait : kKindTraits) names.emplace_back(name_of(trait));
+  RowReader row(file.string(), *text, {"trait", "kinds", "also", "except", "source"}, errors);
+  std::vector<TraitRow> traits;
+  std::set<KindTrait> seen;
+  for (const auto& cells : row.rows()) {
+    row.at(cells);
+    const TraitRow read{row.value_of("trait", names, "trait", kind_trait_named), row.list("kinds"), row.list("also"),
+                        row.list("except")};
+    (void)row.required("source");
+    check_words(row, kinds, all);
+    if (row.sound() && !seen.insert(read.trait).second) row.fail("trait", "stands twice");
+    if (row.sound()) traits.push_back(read);
+  }
+  for (const KindTrait trait : kKindTraits) {
+    if (errors.empty() && !seen.contains(trait))
+      errors.push_back({Error::Kind::Schema, file.string(), {}, "no row of '" + std::string(name_of(trait)) + "'"});
+  }
+  std::sort(traits.begin(), traits.end(), [](const TraitRow& a, const TraitRow& b) { return a.trait < b.trait; });
+  return traits;
+}
+
 }  // namespace
 
 std::vector<fs::path> kind_files(const fs::path& tables) {
   std::vector<fs::path> files;
-  for (const auto* name : {"kinds.csv", "categories.csv", "functions.csv", "phrases.csv"}) {
+  for (const auto* name : {"kinds.csv", "categories.csv", "kind_traits.csv", "functions.csv", "phrases.csv"}) {
     std::error_code code;
     if (auto file = sense_of(tables) / name; fs::exists(file, code)) files.push_back(std::move(file));
   }
@@ -147,6 +185,13 @@ void lay_kinds(const fs::path& tables, std::vector<Tables>& all, std::vector<Err
       const auto known = kind_of.find({std::string(name_of(kSimulators[i])), category.name});
       const auto line = known == kind_of.end() ? kinds.end() : kinds.find(known->second);
       if (line != kinds.end()) category.kinds = line->second;
+    }
+  }
+  for (const auto& row : read_traits(sense_of(tables) / "kind_traits.csv", kinds, all, errors)) {
+    for (auto& simulator : all) {
+      for (auto& category : simulator.categories) {
+        if (serves(category, row)) category.traits.push_back(row.trait);
+      }
     }
   }
   for (const auto& function : read_functions(sense_of(tables) / "functions.csv", kinds, all, errors)) {

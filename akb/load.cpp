@@ -123,6 +123,7 @@ Knowledge read_all(SqliteFile& file, Simulator simulator) {
     c.colors = from.items();
     c.materials = from.items();
     c.kinds = from.items();
+    for (const auto& trait : from.items()) c.traits.push_back(value_of(trait, kind_trait_named));
     c.source = from.source();
     c.size_source = from.source();
     c.mass_source = from.source();

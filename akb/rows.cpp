@@ -21,6 +21,9 @@ constexpr std::array<std::string_view, kEffectNeeds.size()> kNeedNames{"closed",
                                                                        "inside", "on",       "under_tap"};
 constexpr std::array<std::string_view, kAliasKinds.size()> kKindNames{"synonym",     "function", "context", "hypernym",
                                                                       "description", "occasion", "request"};
+constexpr std::array<std::string_view, kKindTraits.size()> kTraitNames{
+    "one_size",     "not_by_size", "not_by_opening", "raw_or_cooked", "seen_running",
+    "told_by_room", "puts_away",   "gives_light",    "dish"};
 
 template <class Value, std::size_t kCount>
 std::optional<Value> value_named(std::string_view name, const std::array<Value, kCount>& values,
@@ -36,6 +39,20 @@ std::optional<Predicate> placement_relation_named(std::string_view name) {
   const auto predicate = predicate_named(name);
   const auto at = std::find(kPlacementRelations.begin(), kPlacementRelations.end(), predicate);
   return at == kPlacementRelations.end() ? std::nullopt : predicate;
+}
+
+std::string_view name_of(KindTrait trait) { return kTraitNames[static_cast<std::size_t>(trait)]; }
+std::optional<KindTrait> kind_trait_named(std::string_view name) { return value_named(name, kKindTraits, kTraitNames); }
+
+bool has_trait(const Category& category, KindTrait trait) {
+  return std::find(category.traits.begin(), category.traits.end(), trait) != category.traits.end();
+}
+
+std::vector<std::string> names_of(const std::vector<KindTrait>& traits) {
+  std::vector<std::string> names;
+  names.reserve(traits.size());
+  for (const KindTrait trait : traits) names.emplace_back(name_of(trait));
+  return names;
 }
 
 std::string_view name_of(EffectNeed need) { return kNeedNames[static_cast<std::size_t>(need)]; }

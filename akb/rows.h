@@ -25,6 +25,26 @@ struct Source {
 /// Whether a text is a source of one of these forms.
 bool well_formed_source(std::string_view source);
 
+/// What rules of several rooms ask of a category: a row each of data/sense/kind_traits.csv lists its kinds.
+enum class KindTrait : std::uint8_t {
+  OneSize,       // nobody tells such things apart by their size, whatever their models
+  NotBySize,     // nobody picks one out by its size: "the largest pants"
+  NotByOpening,  // nor by its being open or closed: a case or a pot is closed at a glance or not at all
+  RawOrCooked,   // people call it raw or cooked: meat, eggs and vegetables, not bread
+  SeenRunning,   // one sees, and says, that it is on: not of a sink
+  ToldByRoom,    // it is told by its room alone
+  PutsAway,      // what is in it was put away or waits there
+  GivesLight,    // it is left on more often than other things
+  Dish,          // holds one sort of thing at a time
+};
+/// In the order of the enum.
+inline constexpr std::array kKindTraits{KindTrait::OneSize,     KindTrait::NotBySize,   KindTrait::NotByOpening,
+                                        KindTrait::RawOrCooked, KindTrait::SeenRunning, KindTrait::ToldByRoom,
+                                        KindTrait::PutsAway,    KindTrait::GivesLight,  KindTrait::Dish};
+std::string_view name_of(KindTrait trait);  // "one_size"
+/// nullopt for an unknown name.
+std::optional<KindTrait> kind_trait_named(std::string_view name);
+
 /// A kind of object that a simulator has, with what most of its objects are like.
 struct Category {
   std::string name;       // the simulator's own: "CoffeeMachine", "kitchencabinet", "coffee_table"
@@ -39,10 +59,16 @@ struct Category {
   std::vector<std::string> rooms;              // usual room types, most usual first
   std::vector<std::string> colors, materials;  // what instances come in
   std::vector<std::string> kinds;              // of data/sense/kinds.csv, narrowest first; empty when it has none
+  std::vector<KindTrait> traits;               // that those kinds have, in the order of the enum
   Source source;                               // of the row as a whole
   Source size_source, mass_source;
   Source synset_source;  // that of the row, but for a completed one
 };
+
+/// Whether the category has this trait.
+bool has_trait(const Category& category, KindTrait trait);
+/// Names of the traits, in their order.
+std::vector<std::string> names_of(const std::vector<KindTrait>& traits);
 
 /// The relations that a placement may have.
 inline constexpr std::array kPlacementRelations{Predicate::On, Predicate::Inside, Predicate::NextTo, Predicate::Under};

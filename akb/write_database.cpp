@@ -30,6 +30,7 @@ void each_text(const Tables& tables, const Use& use) {
   for (const auto& c : tables.categories) {
     use(c.name), use(std::string(name_of(c.archetype)));
     for (const auto* list : {&c.rooms, &c.colors, &c.materials, &c.kinds}) use(join(*list, "|"));
+    use(join(names_of(c.traits), "|"));
     for (const auto* s : {&c.source, &c.size_source, &c.mass_source, &c.synset_source}) source(*s);
   }
   for (const auto& f : tables.affordances) use(f.affordance), source(f.source);
@@ -72,12 +73,12 @@ class Numbers {
 };
 
 void insert_categories(SqliteFile& file, Int simulator, const Tables& tables, Numbers& n) {
-  auto statement = file.prepare("INSERT INTO category_row VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
+  auto statement = file.prepare("INSERT INTO category_row VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
   for (const auto& c : tables.categories) {
     insert(statement, simulator, n.text(c.name), Text(c.display), Text(c.plural), Text(c.synset), Int{c.countable},
            Int{c.movable}, n.text(name_of(c.archetype)), c.size.x(), c.size.y(), c.size.z(), c.mass, n.text(c.rooms),
-           n.text(c.colors), n.text(c.materials), n.text(c.kinds), n.evidence(c.source), n.evidence(c.size_source),
-           n.evidence(c.mass_source), n.evidence(c.synset_source));
+           n.text(c.colors), n.text(c.materials), n.text(c.kinds), n.text(names_of(c.traits)), n.evidence(c.source),
+           n.evidence(c.size_source), n.evidence(c.mass_source), n.evidence(c.synset_source));
   }
 }
 

@@ -17,7 +17,6 @@ std::string with_zips(std::string text) {
 }
 
 std::string with_tops(std::string text, const NounTable& nouns) {
-  constexpr std::array kHeads{"cabinet", "cabinets", "cupboard", "cupboards", "wardrobe", "wardrobes"};
   const std::vector<Token> tokens = tokens_of(text);
   const auto is = [&](std::size_t at, std::string_view word) { return at < tokens.size() && tokens[at].text == word; };
   for (std::size_t i = tokens.size(); i-- > 1;) {
@@ -29,8 +28,8 @@ std::string with_tops(std::string text, const NounTable& nouns) {
       const std::size_t named = nouns.noun_at(tokens, at + room).length;
       length = named == 0 ? length : room + named;
     }
-    const bool high = length > 0 && std::any_of(kHeads.begin(), kHeads.end(),
-                                                [&](const char* head) { return is(at + length - 1, head); });
+    const bool high = length > 0 && at + length <= tokens.size() &&
+                      nouns.everyday()->is_word_for(tokens[at + length - 1].text, NameUse::HasTop);
     if (high && at > i + 1) text.insert(static_cast<std::size_t>(tokens[i].column) + 1, " top of");
   }
   return text;

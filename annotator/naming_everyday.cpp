@@ -26,26 +26,22 @@ bool Naming::is_carried(const Domain& noun) const {
 
 bool Naming::has_lid(const Domain& noun) const {
   const NounTable::Name* name = noun.members.size() == 1 ? lexicon_.display(noun.members[0].category) : nullptr;
-  return name != nullptr && (name->singular.ends_with("pot") || name->singular.ends_with("kettle"));
+  return name != nullptr && lexicon_.everyday()->ends_as(name->singular, NameUse::HasLid);
 }
 
 bool Naming::is_plant(const Domain& noun) const {
   const NounTable::Name* name = noun.members.size() == 1 ? lexicon_.display(noun.members[0].category) : nullptr;
-  return name != nullptr && name->singular.ends_with("plant");
+  return name != nullptr && lexicon_.everyday()->ends_as(name->singular, NameUse::Plant);
 }
 
 bool Naming::heats_food(const Domain& noun) const {
   const NounTable::Name* name = noun.members.size() == 1 ? lexicon_.display(noun.members[0].category) : nullptr;
-  return name != nullptr && (name->singular.ends_with("toaster") || name->singular.ends_with("oven") ||
-                             name->singular.ends_with("microwave") || name->singular.ends_with("stove"));
+  return name != nullptr && lexicon_.everyday()->ends_as(name->singular, NameUse::HeatsFood);
 }
 
 bool Naming::puts_away(const Domain& noun) const {
   const NounTable::Name* name = noun.members.size() == 1 ? lexicon_.display(noun.members[0].category) : nullptr;
-  return name != nullptr && !name->movable &&
-         (name->singular.ends_with("cabinet") || name->singular.ends_with("cupboard") ||
-          name->singular.ends_with("drawer") || name->singular.ends_with("closet") ||
-          name->singular.ends_with("wardrobe") || name->singular.ends_with("dresser"));
+  return name != nullptr && !name->movable && lexicon_.everyday()->ends_as(name->singular, NameUse::PutsAway);
 }
 
 bool Naming::comes_from_a_shaker(const std::string& substance) const {

@@ -1,7 +1,6 @@
 #include "generator/reference.h"
 
 #include <algorithm>
-#include <array>
 
 #include "akb/attributes.h"
 #include "scene/states.h"
@@ -27,24 +26,10 @@ bool is_free(const StateGroup& group, const GoalVariable& variable, const Specif
   });
 }
 
-/// Whether people call such a thing raw or cooked: meat, eggs and vegetables, not bread.
-bool is_cooked_first(const Category& category) {
-  constexpr std::array<std::string_view, 4> kCooked{"raw_meat", "raw_egg", "cooking_vegetable", "dough"};
-  return std::any_of(category.kinds.begin(), category.kinds.end(), [&](const std::string& kind) {
-    return std::find(kCooked.begin(), kCooked.end(), kind) != kCooked.end();
-  });
-}
-
-/// Whether one sees, and says, that such a thing is on: not of a soap dispenser or a sink, nor of what may be shut and
-/// is carried about: a laptop that is on looks like any other when all are shut.
+/// Whether one sees, and says, that such a thing is on: not of what may be shut and is carried about: a laptop that is
+/// on looks like any other when all are shut.
 bool is_seen_running(const Category& category, const Knowledge& knowledge) {
-  if (category.movable && knowledge.has(category.name, "openable")) return false;
-  constexpr std::array<std::string_view, 12> kRuns{
-      "electronics", "kitchen_machine", "television", "room_lamp",      "room_machine", "oven",
-      "stove",       "microwave",       "toaster",    "coffee_machine", "dishwasher",   "washer"};
-  return std::any_of(category.kinds.begin(), category.kinds.end(), [&](const std::string& kind) {
-    return std::find(kRuns.begin(), kRuns.end(), kind) != kRuns.end();
-  });
+  return has_trait(category, KindTrait::SeenRunning) && !(category.movable && knowledge.has(category.name, "openable"));
 }
 
 /// Whether the goal puts something on what a variable stands for.
@@ -55,14 +40,11 @@ bool is_set_down_on(const Formula& goal, const std::string& variable) {
                              [&](const Formula& child) { return is_set_down_on(child, variable); });
 }
 
-/// Whether people tell a thing from others by its being open or closed. A case, a pot or a kettle is closed at
-/// a glance or not at all; and furniture that something is set down on may be either.
+/// Whether people tell a thing from others by its being open or closed; furniture that something is set down on may be
+/// either.
 bool is_told_by_opening(const Category& category, const GoalVariable& variable, const Specification& plain) {
-  constexpr std::array<std::string_view, 4> kNot{"instrument", "pot", "kettle", "book"};
-  const bool told = std::none_of(category.kinds.begin(), category.kinds.end(), [&](const std::string& kind) {
-    return std::find(kNot.begin(), kNot.end(), kind) != kNot.end();
-  });
-  return told && !(is_set_down_on(plain.goal, variable.variable) && !category.movable);
+  return !has_trait(category, KindTrait::NotByOpening) &&
+         !(is_set_down_on(plain.goal, variable.variable) && !category.movable);
 }
 
 std::vector<Reference> by_state(const GoalVariable& variable, const Specification& plain, const Knowledge& knowledge) {
@@ -82,7 +64,8 @@ std::vector<Reference> by_state(const GoalVariable& variable, const Specificatio
       if (state.predicate == Predicate::Hot || state.predicate == Predicate::Cool) continue;
       const bool cooking = state.predicate == Predicate::Cooked || state.predicate == Predicate::Raw ||
                            state.predicate == Predicate::Burnt;
-      if (cooking && category != nullptr && !category->kinds.empty() && !is_cooked_first(*category)) continue;
+      if (cooking && category != nullptr && !category->kinds.empty() && !has_trait(*category, KindTrait::RawOrCooked))
+        continue;
       found.push_back({Referring::ByState, atom(state.predicate, {variable.variable}), {}});
     }
   }
@@ -93,9 +76,7 @@ std::vector<Reference> by_size(const GoalVariable& variable, const Knowledge& kn
   const auto* category = knowledge.find(variable.category);
   std::vector<Reference> found;
   if (category == nullptr || !category->countable || !comes_in_sizes(*category, knowledge)) return found;
-  const auto& kinds = category->kinds;
-  if (std::find(kinds.begin(), kinds.end(), "garment") != kinds.end())
-    return found;  // nobody picks out "the largest pants"
+  if (has_trait(*category, KindTrait::NotBySize)) return found;
   for (const char* size : {"large", "small"}) {
     found.push_back({Referring::BySize, atom_with_symbol(Predicate::Size, variable.variable, size), {}});
   }
@@ -125,8 +106,7 @@ void add_values(const GoalVariable& variable, Predicate predicate, const std::ve
 std::vector<Reference> by_attribute(const GoalVariable& variable, const Knowledge& knowledge) {
   std::vector<Reference> found;
   const auto* category = knowledge.find(variable.category);
-  const auto is_sink = [](const std::string& kind) { return kind == "sink"; };  // told by its room
-  if (category == nullptr || std::any_of(category->kinds.begin(), category->kinds.end(), is_sink)) return found;
+  if (category == nullptr || has_trait(*category, KindTrait::ToldByRoom)) return found;
   add_values(variable, Predicate::Color, category->colors, found);
   add_values(variable, Predicate::Material, category->materials, found);
   return found;

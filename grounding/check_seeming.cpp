@@ -116,12 +116,8 @@ class SeemingRelations {
 
   /// A cabinet, a drawer, and what washes or is washed in.
   bool stores(EntityIndex place) const {
-    constexpr std::array<std::string_view, 7> kStores{"cabinet",    "drawer", "dresser", "wardrobe",
-                                                      "dishwasher", "washer", "sink"};
     const Category* category = knowledge_.find(trace_.entities[place].category);
-    return category != nullptr && std::any_of(category->kinds.begin(), category->kinds.end(), [&](const auto& kind) {
-             return std::find(kStores.begin(), kStores.end(), kind) != kStores.end();
-           });
+    return category != nullptr && has_trait(*category, KindTrait::PutsAway);
   }
 
   /// Finds a dirty thing that is to be taken out of where such things are washed.

@@ -31,10 +31,9 @@ bool has_room_for(const Workspace& workspace, const std::string& category, const
     return workspace.scene().nodes[*workspace.places().find(id)];
   };
   const auto is_other = [&](const std::string& id) { return thing(id).category != category; };
-  const auto is_dish = [&](const char* kind) { return household->is_a(host.category, kind); };
-  if ((is_dish("tableware") || is_dish("cookware") || is_dish("food_box")) &&
-      std::any_of(carried.begin(), carried.end(), is_other))
-    return false;
+  const Category* kept_in = workspace.knowledge().find(host.category);
+  const bool dish = kept_in != nullptr && has_trait(*kept_in, KindTrait::Dish);
+  if (dish && std::any_of(carried.begin(), carried.end(), is_other)) return false;
   const Home& home = *workspace.home();
   int came = 0, alike = 0;
   for (const std::string& id : carried) {

@@ -14,13 +14,6 @@ constexpr double kLightOnShare = 0.3;
 constexpr double kFullShare = 0.1;
 constexpr double kFoldedOpenShare = 0.25;
 
-bool shines(const Category& category) {
-  for (const std::string_view word : {"lamp", "light", "television", "tv", "monitor", "candle"}) {
-    if (category.display.find(word) != std::string::npos) return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 Node make_node(const Workspace& workspace, const Category& category, double spread, Rng& rng) {
@@ -116,7 +109,8 @@ void draw_states(Node& node, const Workspace& workspace, const HostRelation& hos
     return draw_likely_states(node, knowledge, *workspace.household(), host_relation, rng);
   const Category* category = knowledge.find(node.category);
   if (node.states.has(Predicate::Clean) && rng.chance(kDirtyShare)) node.states.set({Predicate::Dirty, {}});
-  if (node.states.has(Predicate::PowerOff) && category && shines(*category) && rng.chance(kLightOnShare)) {
+  if (node.states.has(Predicate::PowerOff) && category && has_trait(*category, KindTrait::GivesLight) &&
+      rng.chance(kLightOnShare)) {
     node.states.set({Predicate::PowerOn, {}});
   }
   if (node.states.has(Predicate::Empty) && rng.chance(kFullShare)) {

@@ -92,6 +92,8 @@ FormatFactsReading read_format_facts(const std::filesystem::path& folder) {
     facts.floor_materials.emplace(std::move(room), row.required("material"));
   });
   read_virtualhome_words(folder, reading);
+  read_table(folder / "virtualhome_faced.csv", {"class", "source"}, errors,
+             [&](RowReader&, std::string name) { facts.virtualhome_faced.insert(std::move(name)); });
   read_table(folder / "building_words.csv", {"word", "source"}, errors,
              [&](RowReader&, std::string word) { facts.building_words.insert(std::move(word)); });
   read_table(folder / "procthor_lacks.csv", {"model", "lacks", "source"}, errors,

@@ -42,6 +42,7 @@ struct FormatFacts {
   std::vector<FormatWord<std::string>> virtualhome_rooms = {};       // "livingroom" → room type "living_room"
   std::vector<FormatWord<Predicate>> virtualhome_states = {};        // "OPEN" → open
   std::vector<FormatWord<std::string>> virtualhome_properties = {};  // "GRABBABLE" → affordance "pickupable"
+  std::set<std::string, std::less<>> virtualhome_faced = {};         // "tv": what is before it faces it
   std::set<std::string, std::less<>> building_words = {};            // "doorframe": letters and digits, lower case
   /// Of ProcTHOR's models the affordances of their categories that they lack: a mug that cannot be picked up.
   std::map<std::string, std::set<std::string>, std::less<>> model_lacks = {};
@@ -55,9 +56,9 @@ struct FormatFactsReading {
   std::vector<Error> errors;  // empty when sound
 };
 /// Reads replicacad_words.csv, procthor_doors.csv, procthor_floors.csv, virtualhome_rooms.csv, virtualhome_states.csv,
-/// virtualhome_properties.csv, virtualhome_prefabs.csv, building_words.csv and procthor_lacks.csv of a folder.
-/// Errors, all of them: Io; Parse and Schema with file, line and column: a column or a row that is missing, a bad
-/// length, an unknown state or affordance, a name that stands twice.
+/// virtualhome_properties.csv, virtualhome_prefabs.csv, virtualhome_faced.csv, building_words.csv and
+/// procthor_lacks.csv of a folder. Errors, all of them: Io; Parse and Schema with file, line and column: a column or a
+/// row that is missing, a bad length, an unknown state or affordance, a name that stands twice.
 FormatFactsReading read_format_facts(const std::filesystem::path& folder);
 
 /// The frame nearest in width to a gap of `width_m`; ties go to the first.

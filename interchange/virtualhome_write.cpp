@@ -239,9 +239,8 @@ class Exporter {
 
   /// As upstream: from what stands in view of a screen, a picture or a clock in the same room.
   void add_facing() {
-    constexpr std::array kSeen{"tv", "computer", "wallpictureframe", "clock"};
     for (const Placed& seen : placed_) {
-      if (std::find(kSeen.begin(), kSeen.end(), seen.node->category) == kSeen.end()) continue;
+      if (!facts_.virtualhome_faced.contains(seen.node->category)) continue;
       const Vec3 front = seen.node->pose.rotation * -Vec3::UnitY();
       for (const Placed& from : placed_) {
         const Vec3 way = from.node->pose.position - seen.node->pose.position;

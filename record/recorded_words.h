@@ -18,4 +18,8 @@ std::optional<RecordedGrade> least_grade(std::string_view sense);
 enum class RecordedHomes : std::uint8_t { Drawn, Benchmark, Training };
 std::optional<RecordedHomes> recorded_homes(std::string_view name);  // "drawn", "benchmark", "training"
 
+/// What a task's field `split` says that it tests.
+enum class RecordedSplit : std::uint8_t { Atomic, Compositional, Logical, InstanceGrounding, Linguistic };
+std::optional<RecordedSplit> recorded_split(std::string_view name);  // "instance_grounding"
+
 }  // namespace unietp

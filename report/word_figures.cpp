@@ -11,6 +11,7 @@
 #include "core/rng.h"
 #include "core/text.h"
 #include "record/dataset_reader.h"
+#include "record/recorded_words.h"
 #include "report/formula_census.h"
 
 namespace unietp {
@@ -163,7 +164,8 @@ WordFigures word_figures(const std::vector<CountedText>& texts) {
     const Words words = words_in(counted.text);
     if (words.empty()) continue;
     ++figures.texts;
-    const bool short_split = counted.split == "atomic" || counted.split == "compositional";
+    const auto split = recorded_split(counted.split);
+    const bool short_split = split == RecordedSplit::Atomic || split == RecordedSplit::Compositional;
     for (const char* group : {"all", short_split ? "atomic and compositional" : "other splits"}) {
       lengths[group].first += static_cast<double>(words.size());
       ++lengths[group].second;

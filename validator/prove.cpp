@@ -137,7 +137,8 @@ class TaskProver {
   /// Each test of a phrase that tells apart tells from something. Where goals are to be what people would say, what is
   /// called the nearest is so on foot, too.
   void prove_referents(const Trace& at_start) {
-    const bool tells_apart = task_.split == "instance_grounding" || !task_.refinement.empty();
+    const bool tells_apart =
+        recorded_split(task_.split) == RecordedSplit::InstanceGrounding || !task_.refinement.empty();
     const bool natural = tools_.manifest != nullptr && least_grade(tools_.manifest->run.sense) == RecordedGrade::Usual;
     for (const Referents& one : referents_of(*goal_, start_, at_start, *backend_->profile)) {
       const auto wrong = [&](ProblemKind kind, std::string message) {

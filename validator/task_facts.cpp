@@ -80,10 +80,9 @@ bool names_category(const TaskRecord& task, const std::string& category) {
 /// The narrowest kind of a category that the knowledge has words for in a style that names things by what they are for,
 /// or by an occasion; "" for any other.
 std::string use_of(const std::string& category, const std::string& style, const Knowledge& knowledge) {
-  const bool by_occasion = style == "context";
-  if (!by_occasion && style != "function" && style != "hypernym" && style != "description" && style != "request")
-    return "";
-  const auto words = by_occasion ? AliasKind::Occasion : *alias_kind_named(style);
+  const auto named = alias_kind_named(style);
+  if (!named || *named == AliasKind::Synonym || *named == AliasKind::Occasion) return "";  // no names of styles
+  const AliasKind words = *named == AliasKind::Context ? AliasKind::Occasion : *named;
   const auto& kinds = knowledge.find(category)->kinds;
   return knowledge.aliases_of(category, words).empty() || kinds.empty() ? "" : kinds.front();
 }

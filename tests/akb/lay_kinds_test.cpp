@@ -92,6 +92,41 @@ TEST_F(LayKinds, ReportsEveryFaultAtItsCell) {
   EXPECT_THAT(only_error(), HasSubstr("2:1: schema error: no simulator has a category that serves as this"));
 }
 
+/// One row of each trait, the first as told.
+std::string traits(const std::string& one_size) {
+  std::string text = "trait,kinds,also,except,source\none_size," + one_size + ",curated\n";
+  for (const KindTrait trait : kKindTraits)
+    if (trait != KindTrait::OneSize) text += std::string(name_of(trait)) + ",,,,curated\n";
+  return text;
+}
+
+TEST_F(LayKinds, ATraitHasTheCategoriesOfItsKindsAndThoseNamedWithoutTheExcluded) {
+  write("kind_traits", traits("food,plate,half_apple"));
+  const auto all = lay();
+  ASSERT_THAT(errors, IsEmpty());
+  EXPECT_TRUE(has_trait(test::category(all[0], "apple"), KindTrait::OneSize));
+  EXPECT_TRUE(has_trait(test::category(all[0], "plate"), KindTrait::OneSize)) << "it is named, and has no kind";
+  EXPECT_FALSE(has_trait(test::category(all[0], "half_apple"), KindTrait::OneSize));
+  EXPECT_FALSE(has_trait(test::category(all[0], "mug"), KindTrait::OneSize));
+  EXPECT_FALSE(has_trait(test::category(all[0], "apple"), KindTrait::Dish));
+}
+
+TEST_F(LayKinds, ReportsFaultsOfTraits) {
+  write("kind_traits", traits("fod,,"));
+  lay();
+  ASSERT_THAT(errors, ::testing::Not(IsEmpty()));
+  EXPECT_THAT(format(errors.front()),
+              HasSubstr("kind_traits.csv:2:10: schema error: 'fod' is not a kind of kinds.csv"));
+  errors.clear();
+  write("kind_traits", "trait,kinds,also,except,source\nhuge,food,,,curated\n");
+  lay();
+  EXPECT_THAT(only_error(), HasSubstr("kind_traits.csv:2:1"));
+  errors.clear();
+  write("kind_traits", "trait,kinds,also,except,source\ndish,food,,,curated\n");
+  lay();
+  EXPECT_THAT(only_error(), HasSubstr("no row of 'one_size'"));
+}
+
 class CommittedFunctions : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -122,6 +157,19 @@ TEST_F(CommittedFunctions, ManyAreServedByAKindAndHalfHaveSeveralPhrases) {
   }
   EXPECT_GE(wide, 40);
   EXPECT_GE(several * 2, static_cast<int>(phrases.size()));
+}
+
+TEST_F(CommittedFunctions, EachTraitIsOfSomeCategoriesAndNotOfAll) {
+  for (const KindTrait trait : kKindTraits) {
+    std::size_t with = 0, without = 0;
+    for (const auto& tables : all) {
+      for (const auto& category : tables.categories) ++(has_trait(category, trait) ? with : without);
+    }
+    EXPECT_GT(with, 0U) << name_of(trait);
+    EXPECT_GT(without, 0U) << name_of(trait);
+  }
+  EXPECT_TRUE(has_trait(test::category(all[0], "Egg"), KindTrait::OneSize));
+  EXPECT_FALSE(has_trait(test::category(all[0], "Mug"), KindTrait::OneSize));
 }
 
 /// "a toy" would mean the category that is called toy.

@@ -78,6 +78,7 @@ std::vector<std::string> errors_of(const std::string& names, const std::string& 
   EXPECT_TRUE(write_file(folder.at("everyday_names.csv"), names));
   EXPECT_TRUE(write_file(folder.at("rare_names.csv"), rare));
   EXPECT_TRUE(write_file(folder.at("look_alikes.csv"), look_alikes));
+  EXPECT_TRUE(write_file(folder.at("name_uses.csv"), "name,uses,source\npot,has_lid,curated\n"));
   std::vector<Error> errors;
   (void)read_everyday_names(folder.path(), errors);
   std::vector<std::string> texts;
@@ -105,6 +106,21 @@ TEST(EverydayNames, HaveLookAlikes) {
   EXPECT_THAT(committed_names()->look_alikes("fan"), ElementsAre("ceiling fan"));
   EXPECT_THAT(committed_names()->look_alikes("stand"), ::testing::Contains("nightstand"));
   EXPECT_THAT(committed_names()->look_alikes("mug"), IsEmpty());
+}
+
+TEST(EverydayNames, TellWhatIsDoneWithAThingByTheEndOfItsName) {
+  const EverydayNames& names = *committed_names();
+  EXPECT_TRUE(names.ends_as("upper kitchen cabinet", NameUse::PutsAway));
+  EXPECT_FALSE(names.ends_as("kitchen cabinet door", NameUse::PutsAway));
+  EXPECT_FALSE(names.ends_as("cabinet", NameUse::HeatsFood));
+  EXPECT_TRUE(names.is_word_for("cabinets", NameUse::HasTop));
+  EXPECT_FALSE(names.is_word_for("drawer", NameUse::HasTop));
+  const ScratchFolder folder;
+  ASSERT_TRUE(write_file(folder.at("name_uses.csv"), "name,uses,source\npot,has_lit,curated\n"));
+  std::vector<Error> errors;
+  (void)read_everyday_names(folder.path(), errors);
+  ASSERT_THAT(errors, ::testing::SizeIs(4)) << "three files are missing";
+  EXPECT_THAT(format(errors.back()), ::testing::HasSubstr("name_uses.csv:2:5"));
 }
 
 TEST(EverydayNames, OfBritonsAreCountedAsTheyCountThem) {

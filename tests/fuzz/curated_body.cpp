@@ -64,6 +64,7 @@ void read_scene_file_tables(const Folder& folder, Errors& errors) {
       {"virtualhome_states.csv", "word,state,source\nON,power_on,x\n"},
       {"virtualhome_properties.csv", "property,affordance,source\nGRABBABLE,pickupable,x\n"},
       {"virtualhome_prefabs.csv", "prefab,class,width_m,depth_m,height_m,source\nBed_1,bed,1,2,0.5,x\n"},
+      {"virtualhome_faced.csv", "class,source\ntv,x\n"},
       {"building_words.csv", "word,source\nwall,x\n"},
       {"procthor_lacks.csv", "model,lacks,source\nMug_9,pickupable,x\n"}};
   for (const auto& [name, text] : sound) {

@@ -35,7 +35,7 @@ bool sense_body(std::string_view text) {
   for (const char* file :
        {"kinds.csv", "categories.csv", "judged.csv", "counts.csv", "rules.csv", "words.csv", "hypernyms.csv",
         "start_states.csv", "special_places.csv", "companions.csv", "place_uses.csv", "use_states.csv",
-        "generic_words.csv", "everyday_names.csv", "rare_names.csv", "look_alikes.csv"}) {
+        "generic_words.csv", "everyday_names.csv", "rare_names.csv", "look_alikes.csv", "name_uses.csv"}) {
     const std::size_t end = text.find(kBetween);
     folder.write(file, text.substr(0, end));
     text = end == std::string_view::npos ? "" : text.substr(end + kBetween.size());

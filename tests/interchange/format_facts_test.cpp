@@ -31,6 +31,7 @@ FormatFactsReading reading_of(const std::string& words, const std::string& doors
       {"virtualhome_properties.csv", "property,affordance,source\nGRABBABLE,pickupable,curated\n"},
       {"virtualhome_prefabs.csv",
        "prefab,class,width_m,depth_m,height_m,source\nBed_1,bed,1,2,0.5,curated\nBed_2,bed,,,,curated\n"},
+      {"virtualhome_faced.csv", "class,source\ntv,curated\n"},
       {"building_words.csv", "word,source\ndoorframe,curated\n"},
       {"procthor_lacks.csv", "model,lacks,source\nFixed_Mug,fillable|pickupable,curated\n"}};
   for (const auto& [name, text] : others) texts[name] = text;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "dataset/configuration.h"
+#include "templates/template.h"
 
 namespace unietp {
 namespace {
@@ -16,6 +17,10 @@ TEST(RecordedWords, AreThoseThatAreWritten) {
   }
   for (const HomeSource source : kHomeSources)
     EXPECT_EQ(recorded_homes(name_of(source)), static_cast<RecordedHomes>(source));
+  for (const Split split :
+       {Split::Atomic, Split::Compositional, Split::Logical, Split::InstanceGrounding, Split::Linguistic})
+    EXPECT_EQ(recorded_split(name_of(split)), static_cast<RecordedSplit>(split));
+  EXPECT_EQ(recorded_split("natural"), std::nullopt);
   EXPECT_EQ(recorded_grade("any"), std::nullopt);
   EXPECT_EQ(least_grade("senseless"), std::nullopt);
   EXPECT_EQ(recorded_homes("others"), std::nullopt);
