@@ -14,6 +14,8 @@ namespace unietp {
 struct GltfMaterial {
   std::array<double, 3> color{1, 1, 1};
   double opacity = 1, roughness = 1, metallic = 0;
+
+  bool operator==(const GltfMaterial&) const = default;
 };
 
 /// A mesh of triangles that are counter-clockwise seen from outside, in glTF's frame (right-handed, y up, meters).

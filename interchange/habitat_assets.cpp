@@ -10,10 +10,12 @@
 #include "interchange/gltf.h"
 #include "interchange/habitat_frame.h"
 #include "interchange/own_ids.h"
+#include "interchange/solid_mesh.h"
 #include "interchange/urdf.h"
 #include "simulation/paint.h"
 #include "simulation/room_paint.h"
 #include "simulation/shape.h"
+#include "simulation/solids.h"
 #include "simulation/walls.h"
 
 namespace unietp {
@@ -43,9 +45,9 @@ std::array<double, 3> color_of(const Node& node) {
   return linear(paint_of(any));
 }
 
-GltfMaterial material_of(const Node& node) {
-  GltfMaterial look{color_of(node)};
-  switch (matter_of(node)) {
+GltfMaterial material_of(const std::array<double, 3>& color, Matter matter) {
+  GltfMaterial look{color};
+  switch (matter) {
     case Matter::Metal:
       look.metallic = 0.9, look.roughness = 0.35;
       break;
@@ -94,19 +96,55 @@ Json receptacles(const Shape& shape, bool with_links) {
   return all;
 }
 
+/// What the camera shows of a node, the same for all nodes with one stand-in: a mesh for each material. Nothing for
+/// those that look as physics has them.
+std::vector<GltfMesh> look_of(const Node& node) {
+  Node any = node;
+  any.id = node.category;
+  any.pose = Pose();
+  any.opening = 0;
+  any.states = {};
+  const ShapeFamily* family = family_of(any, Simulator::Habitat);
+  if (family == nullptr) return {};
+  std::vector<Solid> solids;
+  add_solids(any, 0, Simulator::Habitat, {}, solids);
+  constexpr std::size_t kTriangles = 3000;
+  const auto triangles = [&](std::uint32_t sides) {
+    std::size_t all = 0;
+    for (const Solid& solid : solids) all += triangles_of(solid, sides);
+    return all;
+  };
+  std::uint32_t sides = 16;
+  while (sides > 6 && triangles(sides) > kTriangles) sides -= 2;
+  const Color color = paint_of(any, family);
+  const Matter matter = matter_of(any, family);
+  std::vector<GltfMesh> meshes;
+  for (const Solid& solid : solids) {
+    const Color own =
+        solid.color ? Color((*solid.color)[0], (*solid.color)[1], (*solid.color)[2]) : Color(color * solid.shade);
+    const GltfMaterial look = material_of(linear(own), solid.matter.value_or(matter));
+    auto mesh = std::find_if(meshes.begin(), meshes.end(), [&](const GltfMesh& one) { return one.material == look; });
+    if (mesh == meshes.end()) mesh = meshes.insert(mesh, {"look_" + std::to_string(meshes.size()), look, {}, {}, {}});
+    add_surface(*mesh, solid, sides, own_frame());
+  }
+  return meshes;
+}
+
 std::string text_of(const Json& json) { return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
 std::vector<AssetFile> rigid(const Node& node, const std::string& name) {
   const Shape shape = shape_of(node);
-  const GltfMaterial look = material_of(node);
+  const GltfMaterial look = material_of(color_of(node), matter_of(node));
+  const std::vector<GltfMesh> seen = look_of(node);
+  const std::string render = name + (seen.empty() ? ".glb" : ".render.glb");
   std::vector<GltfMesh> meshes;
   for (const Part& part : shape.parts) {
     meshes.push_back(mesh_of(part, own_frame() * part.pose, "part_" + std::to_string(meshes.size()), look));
   }
   Json own = receptacles(shape, false);
   own["category"] = node.category;
-  // Each part of the mesh is convex, and a body of its own for collisions.
-  const Json config = {{"render_asset", name + ".glb"},
+  // Each part of the mesh for collisions is convex, and a body of its own.
+  const Json config = {{"render_asset", render},
                        {"collision_asset", name + ".glb"},
                        {"up", {0, 1, 0}},
                        {"front", {0, 0, -1}},
@@ -116,8 +154,10 @@ std::vector<AssetFile> rigid(const Node& node, const std::string& name) {
                        {"join_collision_meshes", false},
                        {"mass", node.mass},
                        {"user_defined", std::move(own)}};
-  return {{"objects/" + name + ".object_config.json", text_of(config)},
-          {"objects/" + name + ".glb", write_glb(meshes)}};
+  std::vector<AssetFile> files{{"objects/" + name + ".object_config.json", text_of(config)},
+                               {"objects/" + name + ".glb", write_glb(meshes)}};
+  if (!seen.empty()) files.push_back({"objects/" + render, write_glb(seen)});
+  return files;
 }
 
 std::vector<AssetFile> articulated(const Node& node, const std::string& name) {

@@ -29,6 +29,7 @@ from report import finish
 NOT_INSTALLED = ("magnum", "corrade", "habitat_sim", "habitat.tasks", "habitat.sims", "habitat.config", "quaternion", "numba",
                  "cv2", "gym", "omegaconf")  # fmt: skip
 TOLERANCE_M = 0.002  # names of stand-ins have whole millimeters
+SEEN_SHARE = 0.15  # by which what is round has corners, and handles stand out of what opens
 
 
 def rearrange_dataset():
@@ -65,12 +66,16 @@ class Folder:
         if name not in self.objects:
             return [f"no model {name}"]
         config = json.loads(self.objects[name].read_text())
-        mesh = self.objects[name].parent / config["render_asset"]
-        if not mesh.exists():
-            return [f"no mesh {mesh.name}"]
-        if size is not None and not numpy.allclose(extents(mesh), [size[0], size[2], size[1]], atol=TOLERANCE_M):
-            return [f"{name} has the size {extents(mesh)}, not {size}"]
-        return []
+        solid, seen = (self.objects[name].parent / config[asset] for asset in ("collision_asset", "render_asset"))
+        for mesh in (solid, seen):
+            if not mesh.exists():
+                return [f"no mesh {mesh.name}"]
+        faults = []
+        if size is not None and not numpy.allclose(extents(solid), [size[0], size[2], size[1]], atol=TOLERANCE_M):
+            faults.append(f"{name} has the size {extents(solid)}, not {size}")
+        if not numpy.allclose(extents(seen), extents(solid), rtol=SEEN_SHARE, atol=TOLERANCE_M):
+            faults.append(f"{name} looks {extents(seen)} large and is {extents(solid)}")
+        return faults
 
     def joints_of(self, name):
         """The joints of articulated furniture, in order; None where its files are not there."""

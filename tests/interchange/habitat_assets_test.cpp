@@ -13,6 +13,7 @@
 
 #include "interchange/formats.h"
 #include "interchange/gltf.h"
+#include "interchange/solid_mesh.h"
 #include "interchange/urdf.h"
 #include "tests/interchange/small_home.h"
 #include "tests/support/committed_knowledge.h"
@@ -51,6 +52,54 @@ TEST(Gltf, MeshesEncloseWhatTheirPartsDo) {
       EXPECT_NEAR(mesh.normals[i].norm(), 1, 1e-9);
       EXPECT_GT(mesh.normals[i].dot(mesh.points[i] - pose.position), 0) << "a normal points inward";
     }
+  }
+}
+
+/// Every triangle's corners are counter-clockwise seen from where its normals point.
+void expect_normals_of_triangles(const GltfMesh& mesh) {
+  ASSERT_EQ(mesh.points.size(), mesh.normals.size());
+  for (std::size_t i = 0; i < mesh.corners.size(); i += 3) {
+    const auto corner = [&](std::size_t k) { return mesh.points[mesh.corners[i + k]]; };
+    const Vec3 across = (corner(1) - corner(0)).cross(corner(2) - corner(0));
+    ASSERT_GT(across.norm(), 0);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3& normal = mesh.normals[mesh.corners[i + k]];
+      EXPECT_NEAR(normal.norm(), 1, 1e-9);
+      EXPECT_GT(normal.dot(across), 0) << "a normal points inward";
+    }
+  }
+}
+
+TEST(Gltf, SurfacesEncloseWhatSolidsDo) {
+  Solid solid;
+  solid.sheared = true;
+  solid.pose.position = {1, 2, 3};
+  solid.axes << 0.2, 0.05, 0, 0, 0.3, 0.1, 0, 0, 0.4;
+  const Pose to_file{{3, -1, 2}, Quat(Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()))};
+  constexpr double kPi = std::numbers::pi;
+  const double cup = kPi * 2 - kPi * 0.75 * 0.75 * 1.5;
+  for (const bool mirrored : {false, true}) {
+    if (mirrored) solid.axes.col(0) *= -1;
+    const double cube = std::abs(solid.axes.determinant());
+    const auto expect = [&](SolidKind kind, const Vec2& low, const Vec2& high, double volume) {
+      solid.kind = kind, solid.low = low, solid.high = high, solid.wall = 0.25, solid.floor = 0.5;
+      GltfMesh mesh;
+      add_surface(mesh, solid, 48, to_file);
+      EXPECT_NEAR(volume_of(mesh) / (cube * volume), 1, 0.01) << static_cast<int>(kind);
+      EXPECT_LE(mesh.corners.size(), 3 * triangles_of(solid, 48));
+      if (low.minCoeff() > 0 && high.minCoeff() > 0) {
+        EXPECT_EQ(mesh.corners.size(), 3 * triangles_of(solid, 48));
+      }
+      expect_normals_of_triangles(mesh);
+    };
+    expect(SolidKind::Box, {1, 1}, {1, 1}, 8);
+    expect(SolidKind::Wedge, {1, 1}, {0, 1}, 4);
+    expect(SolidKind::Wedge, {0.5, 0.5}, {1, 1}, 8.0 / 3 * (1 + 0.5 + 0.25));
+    expect(SolidKind::Cylinder, {1, 1}, {1, 1}, 2 * kPi);
+    expect(SolidKind::Cone, {0, 0}, {1, 1}, 2 * kPi / 3);
+    expect(SolidKind::Sphere, {1, 1}, {1, 1}, 4 * kPi / 3);
+    expect(SolidKind::Cup, {1, 1}, {1, 1}, cup);
+    expect(SolidKind::Crate, {1, 1}, {1, 1}, 8 - 4 * 0.75 * 0.75 * 1.5);
   }
 }
 
@@ -115,7 +164,7 @@ TEST(HabitatAssets, EqualThingsShareAStandIn) {
   other.id = "mug_2", other.pose.position = {1, 2, 3};
   EXPECT_EQ(habitat_stand_in_name(one), habitat_stand_in_name(other));
   const auto files = habitat_stand_in(one), again = habitat_stand_in(other);
-  ASSERT_EQ(files.size(), 2U);
+  ASSERT_EQ(files.size(), 3U);
   for (std::size_t i = 0; i < files.size(); ++i) EXPECT_EQ(files[i].content, again[i].content) << files[i].path;
   other.color = "blue";
   EXPECT_NE(habitat_stand_in_name(one), habitat_stand_in_name(other));
@@ -159,6 +208,64 @@ TEST(HabitatAssets, MeshesStandUprightWithTheirFrontsAlongMinusZ) {
   const std::regex pattern("<joint[^>]*>[^<]*<parent[^>]*>[^<]*<child[^>]*>[^<]*<origin xyz=\"\\S+ \\S+ (\\S+)\"");
   ASSERT_TRUE(std::regex_search(urdf, found, pattern)) << urdf;
   EXPECT_LT(std::stod(found[1]), 0);
+}
+
+/// The sizes of the box around all that a file shows.
+Vec3 extents_of(const Json& gltf) {
+  Vec3 low = Vec3::Constant(1e9), high = -low;
+  for (const Json& one : gltf["accessors"]) {
+    if (!one.contains("min")) continue;
+    for (int i = 0; i < 3; ++i) {
+      const auto axis = static_cast<std::size_t>(i);
+      low[i] = std::min(low[i], one["min"][axis].get<double>());
+      high[i] = std::max(high[i], one["max"][axis].get<double>());
+    }
+  }
+  return high - low;
+}
+
+Json gltf_in(const std::string& glb) { return Json::parse(glb.substr(20, word(glb, 12))); }
+
+TEST(HabitatAssets, ThingsCollideAsPhysicsHasThemAndLookLikeTheirShapes) {
+  const auto files = habitat_stand_in(mug());
+  ASSERT_EQ(files.size(), 3U);
+  const Json config = Json::parse(files[0].content);
+  EXPECT_EQ("objects/" + config["collision_asset"].get<std::string>(), files[1].path);
+  EXPECT_EQ("objects/" + config["render_asset"].get<std::string>(), files[2].path);
+  const Json gltf = gltf_in(files[2].content);
+  EXPECT_EQ(gltf["meshes"].size(), 1U) << "one color and material";
+  EXPECT_GT(gltf["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"][0].get<double>(), 0.3) << "it is red";
+  EXPECT_LT(gltf["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"][2].get<double>(), 0.1);
+
+  Node plain = mug();
+  plain.boards.push_back({{0, 0, 0}, {0.1, 0.1, 0.1}, -1});
+  const auto board = habitat_stand_in(plain);
+  ASSERT_EQ(board.size(), 2U);
+  const Json same = Json::parse(board[0].content);
+  EXPECT_EQ(same["render_asset"], same["collision_asset"]);
+}
+
+TEST(HabitatAssets, WhatIsSeenOfEveryCategoryFillsItsBoxWithFewTriangles) {
+  std::size_t seen = 0, most = 0;
+  for (const Category& category : committed_knowledge(Simulator::Habitat).categories()) {
+    Node node;
+    node.id = node.category = category.name, node.archetype = category.archetype, node.size = category.size;
+    const auto files = habitat_stand_in(node);
+    if (files.size() < 3) continue;
+    ++seen;
+    SCOPED_TRACE(category.name);
+    const Json gltf = gltf_in(files[2].content);
+    const Vec3 size(node.size.x(), node.size.z(), node.size.y());
+    const Vec3 extents = extents_of(gltf);
+    EXPECT_GT((extents - 0.85 * size).minCoeff(), 0) << extents.transpose() << " of " << size.transpose();
+    EXPECT_LT((extents - 1.15 * size).maxCoeff(), 0) << extents.transpose() << " of " << size.transpose();
+    std::size_t corners = 0;
+    for (const Json& mesh : gltf["meshes"])
+      corners += gltf["accessors"][mesh["primitives"][0]["indices"].get<std::size_t>()]["count"].get<std::size_t>();
+    most = std::max(most, corners / 3);
+  }
+  EXPECT_GT(seen, 300U);
+  EXPECT_LE(most, 3000U);
 }
 
 TEST(HabitatAssets, NamesAreNamesOfFilesWhateverTheCategory) {

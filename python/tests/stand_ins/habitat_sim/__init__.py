@@ -269,7 +269,7 @@ class Simulator:
         return f"{name}_:{number:04d}"
 
     def add_rigid(self, file, pose, motion):
-        shape = shape_of_file(file.parent / json.loads(file.read_text())["render_asset"])
+        shape = shape_of_file(file.parent / json.loads(file.read_text())["collision_asset"])
         thing = RigidObject(self._handle(file.name.split(".")[0]), self.next_id, pose, shape, motion)
         self.next_id += 1
         self.rigid.things.append(thing)
