@@ -82,10 +82,7 @@ class ScannedBinding {
 
   /// Nothing has models here, so everything may be scaled, except what nobody tells apart by its size.
   static bool comes_in_sizes(const Category& category) {
-    const std::set<std::string> same{"game",       "pocket_thing", "phone",      "gadget",
-                                     "stationery", "cutlery",      "periodical", "raw_egg"};
-    return std::none_of(category.kinds.begin(), category.kinds.end(),
-                        [&](const std::string& own) { return same.contains(own); });
+    return std::count(category.traits.begin(), category.traits.end(), KindTrait::OneSize) == 0;
   }
 
   static bool comes_in(const Category& category, const std::string& value) {

@@ -39,6 +39,15 @@ const std::map<std::string, std::vector<std::string>> kKinds = {
     {"Sink", {"sink", "place"}},
     {"Table", {"dining_table", "place"}},
     {"Television", {"television", "fixture"}}};
+// As data/sense/kind_traits.csv gives them to these kinds.
+const std::map<std::string, std::vector<KindTrait>> kTraits = {
+    {"Cabinet", {KindTrait::PutsAway}},
+    {"Drawer", {KindTrait::PutsAway}},
+    {"Knife", {KindTrait::OneSize, KindTrait::Dish}},
+    {"Lamp", {KindTrait::SeenRunning, KindTrait::GivesLight}},
+    {"Microwave", {KindTrait::SeenRunning}},
+    {"Sink", {KindTrait::ToldByRoom}},
+    {"Television", {KindTrait::SeenRunning, KindTrait::GivesLight}}};
 
 Category category(const std::string& name, bool movable) {
   Category made;
@@ -74,6 +83,7 @@ Knowledge small_home(Simulator simulator) {
   for (auto& known : categories) {
     known.kinds = kKinds.at(known.name);
     known.kinds.push_back("thing");
+    if (const auto traits = kTraits.find(known.name); traits != kTraits.end()) known.traits = traits->second;
     if (known.name == "Mug" || known.name == "Book") known.colors = {"blue", "orange", "red"};
     if (known.name == "Table" || known.name == "Shelf") known.materials = {"glass", "wood"};
   }
