@@ -29,11 +29,15 @@ struct Sample {
 };
 std::string name_of_sample(const ::testing::TestParamInfo<Sample>& info) { return info.param.name; }
 
+/// What no import takes more memory than, however large the home (docs/limits.md).
+constexpr std::size_t kMostMemory_bytes = std::size_t{2} << 30;
+
 Json import_into(const std::string& out, const fs::path& file, const std::vector<std::string>& more) {
   std::vector<std::string> arguments{"scene", "import", "auto", file.string(), "--out", out, "--json"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   const auto ended = run_program(arguments);
   EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_LT(ended.peak_bytes, kMostMemory_bytes) << file;
   const auto json = Json::parse(ended.out, nullptr, false);
   EXPECT_EQ(SchemaChecker().check(json, "scene-importing.schema.json"), "");
   return json;
