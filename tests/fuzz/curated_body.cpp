@@ -138,6 +138,7 @@ const std::map<std::string, std::function<void(const Folder&, Errors&)>, std::le
       {"virtualhome_states.csv", read_scene_file_tables},
       {"virtualhome_properties.csv", read_scene_file_tables},
       {"virtualhome_prefabs.csv", read_scene_file_tables},
+      {"virtualhome_faced.csv", read_scene_file_tables},
       {"building_words.csv", read_scene_file_tables},
       {"procthor_lacks.csv", read_scene_file_tables},
   };
