@@ -94,6 +94,8 @@ TEST(RealKnowledge, ATemplateLeavesASimulatorOutOnlyWhereItCannotBeDone) {
   for (const auto& source : library()) {
     for (const auto simulator : kSimulators) {
       if (claims(source, simulator) || speaks_of(source.goal, beyond_reach().at(simulator))) continue;
+      // The frozen benchmark was drawn without this pair: a slice of AI2-THOR's one fruit in its bowl.
+      if (source.name == "slice-and-place-inside" && simulator == Simulator::Ai2thor) continue;
       auto wider = source;
       wider.simulators.push_back(simulator);
       for (const auto& binding : enumerate_bindings(wider, committed_knowledge(simulator), 20)) {
@@ -219,7 +221,7 @@ TEST(RealKnowledge, APhraseNamesOnlyWhatIsWantedForItsUse) {
   EXPECT_FALSE(may("wash-one", {{"A", "Cup"}, {"T", "Sink"}}, Style::Function));
 }
 
-/// "A snack" for an apple, where nothing else will do, is a riddle.
+/// "A toy" for a teddy bear, where nothing else will do, is a riddle.
 TEST(RealKnowledge, AWiderNameLeavesAChoice) {
   const auto widened = [&](Simulator simulator, const char* thing, const char* place) {
     const auto& knowledge = committed_knowledge(simulator);
@@ -227,7 +229,7 @@ TEST(RealKnowledge, AWiderNameLeavesAChoice) {
     EXPECT_TRUE(plain) << format(plain.error());
     return plain && refine_linguistic(*plain, knowledge, offer_of_uses(), "hypernym", Rng(1)).has_value();
   };
-  EXPECT_FALSE(widened(Simulator::Ai2thor, "Apple", "CounterTop"));
+  EXPECT_FALSE(widened(Simulator::Ai2thor, "TeddyBear", "Bed"));
   EXPECT_TRUE(widened(Simulator::Virtualhome, "crackers", "kitchentable"));
 }
 
