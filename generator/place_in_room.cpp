@@ -37,8 +37,12 @@ void cover_only_there(std::vector<Formula>& init, const GoalVariable& variable, 
   for (Formula& start : init) {
     if (start.op != Op::Forall || start.variable != variable.variable || start.domain != of_category(variable.category))
       continue;
-    const Formula& fact = start.children.front();
-    if (fact.op == Op::Atom && fact.predicate == Predicate::Covered) start.domain.where = {test};
+    const Formula fact = start.children.front();
+    if (fact.op != Op::Atom || fact.predicate != Predicate::Covered) continue;
+    Formula there_only;  // a start is one state, whose domains have no descriptions
+    there_only.op = Op::Or;
+    there_only.children = {negation(test), fact};
+    start.children = {there_only};
   }
 }
 
