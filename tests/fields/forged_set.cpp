@@ -66,7 +66,7 @@ std::string review_of(const fs::path& folder) {
 }
 
 void make(const fs::path& folder, const ScratchFolder& scratch) {
-  expect_success(run_program({"generate", "--count", "20", "--seed", "14", "--rooms", "5", "--objects", "25", "--modes",
+  expect_success(run_program({"generate", "--count", "20", "--seed", "23", "--rooms", "5", "--objects", "25", "--modes",
                               "M2,M3", "--out", folder.string(), "--threads", "2"}));
   expect_success(run_program({"annotate", folder.string(), "--contrasts", "--wordings", "3", "--seed", "9"}));
   const std::string reviews = scratch.at("review.json");
