@@ -80,6 +80,7 @@ class Opposites {
     if (specification_.style != Style::Request && specification_.style != Style::Condition) {
       switching();
       removal();
+      pouring();
       nearness();
     }
     sizes();
@@ -156,6 +157,8 @@ class Opposites {
       return std::any_of(kPlaces.begin(), kPlaces.end(), [&](P place) { return all.contains(place); });
     };
     if (!speaks_of_place(uses_.asked) || speaks_of_place(uses_.denied) || speaks_of_place(uses_.told)) return;
+    for (std::size_t i = 1; i < words_.size(); ++i)
+      if (words_[i].text == "off" && is_put(i)) return exceeds("'off'");
     if (uses_.bounds || knows(P::Covered) || knows(P::Empty) || knows(P::Clean) || knows(P::SliceOf)) return;
     for (std::size_t i = 1; i < words_.size(); ++i) {
       const bool off = words_[i].text == "off" && !is_switched(i) && !ends_clause(words_, i + 1) &&
@@ -177,6 +180,28 @@ class Opposites {
       if (is_among(words_[i].text, "take. remove. get. grab. fetch. pull. clear. taking. removing. getting."))
         return true;
     return false;
+  }
+
+  /// Whether a verb of putting precedes in the same clause: "place it off the counter".
+  bool is_put(std::size_t at) const {
+    for (std::size_t i = at; i-- > 0 && !ends_clause(words_, i);)
+      if (is_among(words_[i].text, "put. place. set. putting. placing. setting.")) return true;
+    return false;
+  }
+
+  /// "Pour water out of the pot", or over it, where it is to be filled.
+  void pouring() {
+    if (!uses_.asked.contains(P::Filled) || knows(P::Empty)) return;
+    for (std::size_t verb = 0; verb < words_.size(); ++verb) {
+      if (!is_among(words_[verb].text, "pour. pouring.")) continue;
+      std::string_view wrong;
+      bool fills = false;
+      for (std::size_t i = verb + 1; !ends_clause(words_, i); ++i) {
+        fills = fills || is_among(words_[i].text, "in. into. inside. to.");
+        if (is_among(words_[i].text, "from. out. over. off.")) wrong = words_[i].text;
+      }
+      if (!wrong.empty() && !fills) return exceeds("'" + std::string(wrong) + "'");
+    }
   }
 
   /// "Put it next to the plate" where it is to be on the plate.
@@ -297,11 +322,12 @@ class Opposites {
       if (theirs.contains(predicate) || uses_.told.contains(predicate)) continue;
       if (is_switching(predicate)) {
         if (std::any_of(theirs.begin(), theirs.end(), is_switching)) continue;  // "turn" says either
-        return "turn. turning. switch. switching. switched.";
+        return "turn. turning. turned. switch. switching. switched.";
       }
       if (predicate == P::On || predicate == P::Inside || predicate == P::InRoom || predicate == P::NextTo ||
           predicate == P::OnFloor)
         return "put. place. set. bring. move. putting. placing. setting. bringing. moving. store. carry.";
+      if (predicate == P::Sliced) return "cut. cutting. slice. slicing. sliced. chop. chopping. chopped.";
       if (!words_only_for(predicate).empty()) return words_only_for(predicate);
     }
     return "";

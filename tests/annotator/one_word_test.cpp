@@ -89,14 +89,23 @@ std::string with(const std::string& text, bool right) {
   return text.substr(0, open) + word + text.substr(close + 1);
 }
 
-// The goals of further texts: an order of two kinds of things to do, and a choice by a state.
+// The goals of further texts: an order of two kinds of things to do, a choice by a state, and where something goes.
 constexpr const char* kPutThenLight =
     "(exists (?a - Lamp) (exists (?b - Table) (and (before (on ?a ?b) (power_on ?a)) (at-end (and (on ?a ?b) (power_on "
     "?a))))))";
 constexpr const char* kIfOpen =
     "(or (exists (?a - (Fridge :where (open ?a))) (exists (?b - Bowl) (at-end (inside ?b ?a)))) (exists (?a - (Fridge "
     ":where (closed ?a))) (exists (?b - Bowl) (exists (?c - Table) (at-end (on ?b ?c))))))";
+constexpr const char* kCutThenCooked =
+    "(exists (?a - Apple) (and (before (sliced ?a) (cooked ?a)) (at-end (cooked ?a))))";
+constexpr const char* kFilled = "(exists (?a - Mug) (at-end (filled ?a water)))";
+constexpr const char* kCleanOn = "(exists (?a - Mug) (exists (?b - Table) (at-end (and (clean ?a) (on ?a ?b)))))";
 constexpr OneWord kOrdersAndChoices[] = {
+    {kPutThenLight, "Put a lamp on a table {before|once} it is turned on."},
+    {kCutThenCooked, "Please cut an apple {before|after} you cook it."},
+    {kFilled, "Please pour water {into|over} a mug."},
+    {kFilled, "Please pour water {into|from} a mug."},
+    {kCleanOn, "Please wash a mug and place it {on|off} a table."},
     {kPutThenLight, "Set the lamp on a table, and {after|before} that turn it on."},
     {kPutThenLight, "Put a lamp on a table {before|after} you turn it on."},
     {kPutThenLight, "{After|Before} you put a lamp on a table, turn it on."},
@@ -105,7 +114,7 @@ constexpr OneWord kOrdersAndChoices[] = {
     {kIfOpen, "If the fridge is {closed|open}, put the bowl on a table. If it is open, put the bowl in it."},
 };
 
-TEST(OneWord, OfAnotherOrderOrCaseIsFound) {
+TEST(OneWord, OfAnotherOrderCaseOrDirectionIsFound) {
   for (const auto& [goal, text] : kOrdersAndChoices) {
     EXPECT_THAT(faults(goal, with(text, true)), IsEmpty()) << text;
     EXPECT_THAT(faults(goal, with(text, false)), Not(IsEmpty())) << text;
