@@ -38,7 +38,8 @@ RELATIONS = {"on": "OnTop", "inside": "Inside", "attached": "AttachedTo"}
 # Of each group of ours that OmniGibson knows: the states, and which of them holds by what a thing's states say.
 GROUPS: dict[str, tuple[str, ...]] = {
     "Open": ("open", "closed"), "ToggledOn": ("power_on", "power_off"), "Frozen": ("frozen", "thawed"),
-    "Cooked": ("cooked", "raw", "burnt"), "Heated": ("hot", "room_temperature", "cool"), "Folded": ("folded", "unfolded"),
+    "Cooked": ("cooked", "raw"), "Burnt": ("burnt", "unburnt"), "Heated": ("hot", "room_temperature", "cool"),
+    "Folded": ("folded", "unfolded"),
     "Covered": ("dirty", "clean"), "Saturated": ("soaked", "dry"), "Contains": ("filled", "empty"),
 }  # fmt: skip
 COATS = {"Covered": "stain", "Saturated": "water"}  # what a dirty or soaked thing is covered or saturated with
@@ -340,8 +341,6 @@ class Episode:
         value = self._value(thing, group, *([self._system(COATS[group])] if group in COATS else []))
         if value is None:
             return None
-        if group == "Cooked" and self._value(thing, "Burnt"):
-            return "burnt"
         if group == "Heated" and not value:
             return "cool" if thing.states[states.Temperature].get_value() <= FRIDGE_C else "room_temperature"
         return GROUPS[group][0 if value else 1]

@@ -182,6 +182,15 @@ def test_cooking_in_a_device_leaves_it_as_it_was(episode):
     assert episode.facts.states["microwave_1"] == ["closed", "power_off"]
 
 
+def test_what_is_burnt_is_cooked_too(episode):
+    """OmniGibson burns at 200 degrees Celsius what it takes pastry dough 204 to be cooked at."""
+    apple = episode.objects["apple_1"]
+    apple.states[episode.gibson.states.Burnt].set_value(True)
+    answer = episode.act("pick_up", ["apple_1"], {})
+    assert {"cooked", "burnt"} <= set(answer["states"]["apple_1"])
+    assert not {"raw", "unburnt"} & set(answer["states"]["apple_1"])
+
+
 def test_cooking_in_a_device_shows_each_moment(episode):
     episode.act("pick_up", ["apple_1"], {})
     answer = episode.act("cook_with", ["microwave_1"], {"nodes": [node("apple_1", "cooked", "hot", "unburnt", "whole")]})
