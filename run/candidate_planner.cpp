@@ -62,12 +62,12 @@ CandidatePlan CandidatePlanner::next_candidate(const TaskSlot& slot, int attempt
   const Rng rng = Rng(configuration_.seed).fork("plan", candidate_number(slot.index, attempt));
   const auto name = [&] { return resources_.templates[turn.source].name; };
   if (turn.left == 0) {
-    if (turn.more > 0 && turn.drawn == 1 && counts_.count(Dimension::Template, name()) == 0) {
+    if (turn.more > 0 && counts_.count(Dimension::Template, name()) == 0) {
       turn.left = std::exchange(turn.more, 0);
     } else {
       turn.source = next_template(slot, turn, counts_, rng.fork("template", look));
       turn.left = kAttemptsPerTemplate;
-      turn.more = kAttemptsForUnused;
+      turn.more = turn.drawn == 1 ? kAttemptsForUnused : 0;
     }
     counts_.add({Dimension::Template, name()});
   }

@@ -62,7 +62,7 @@ class CandidatePlanner {
   struct Turn {
     std::size_t source = 0;
     int left = 0;                    // further attempts with it
-    int more = 0;                    // and these, while no task has it
+    int more = 0;                    // and these with the first one, while no task has it
     std::vector<std::size_t> tried;  // templates, the current one included
     int drawn = 0;                   // templates so far
   };

@@ -122,10 +122,15 @@ TEST(CandidatePlanner, EqualRoundsGiveEqualPlansWhoeverDrewTheHomes) {
     EXPECT_EQ(first.round(all_of(*slots), attempt, taken), second.round(all_of(*slots), attempt, taken)) << attempt;
 }
 
-TEST(CandidatePlanner, ASlotKeepsTheTemplateDealtToItForAWhileAndThenTriesAnother) {
+RunConfiguration one_atomic_slot() {
   auto configuration = small_homes(1);
   configuration.simulators = {Simulator::Habitat};
   configuration.splits = {Split::Atomic};
+  return configuration;
+}
+
+TEST(CandidatePlanner, ASlotKeepsTheTemplateDealtToItForAWhileAndThenTriesAnother) {
+  const auto configuration = one_atomic_slot();
   const auto slots = plan_slots(configuration, committed());
   ASSERT_TRUE(slots);
   LayoutPool layouts(configuration, committed(), 1);
@@ -148,9 +153,7 @@ TEST(CandidatePlanner, ASlotKeepsTheTemplateDealtToItForAWhileAndThenTriesAnothe
 }
 
 TEST(CandidatePlanner, ASlotKeepsItsFirstTemplateNoLongerOnceATaskHasIt) {
-  auto configuration = small_homes(1);
-  configuration.simulators = {Simulator::Habitat};
-  configuration.splits = {Split::Atomic};
+  const auto configuration = one_atomic_slot();
   const auto slots = plan_slots(configuration, committed());
   ASSERT_TRUE(slots);
   LayoutPool layouts(configuration, committed(), 1);
@@ -164,9 +167,7 @@ TEST(CandidatePlanner, ASlotKeepsItsFirstTemplateNoLongerOnceATaskHasIt) {
 }
 
 TEST(CandidatePlanner, ASlotTakesAnotherTemplateWhenItsOwnIsDropped) {
-  auto configuration = small_homes(1);
-  configuration.simulators = {Simulator::Habitat};
-  configuration.splits = {Split::Atomic};
+  const auto configuration = one_atomic_slot();
   const auto slots = plan_slots(configuration, committed());
   ASSERT_TRUE(slots);
   LayoutPool layouts(configuration, committed(), 1);
@@ -177,9 +178,7 @@ TEST(CandidatePlanner, ASlotTakesAnotherTemplateWhenItsOwnIsDropped) {
 }
 
 TEST(CandidatePlanner, ASlotTakesATemplateThatNoTaskHasBeforeAnyOther) {
-  auto configuration = small_homes(1);
-  configuration.simulators = {Simulator::Habitat};
-  configuration.splits = {Split::Atomic};
+  const auto configuration = one_atomic_slot();
   const auto slots = plan_slots(configuration, committed());
   ASSERT_TRUE(slots);
   const auto& choices = slots->front().templates;
